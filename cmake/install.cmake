@@ -1,0 +1,58 @@
+# `cmake --install`: headers, libraries, the command, and how others find them: find_package(slamicp) gives
+# slamicp::core, find_package(slamicp COMPONENTS io) slamicp::io as well; pkg-config slamicp-core, slamicp-io.
+# What is installed may be moved: nothing in it names the prefix.
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/slamicp)
+set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+set(headers_not_built "")
+if(NOT SLAMICP_BUILD_IO)
+  set(headers_not_built PATTERN io EXCLUDE)
+endif()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/slamicp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN *.hpp ${headers_not_built})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# slamicp_install_library(core REQUIRES eigen3 ...): the target slamicp_core, its package part, its pkg-config file.
+function(slamicp_install_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "DESCRIPTION" "REQUIRES;REQUIRES_PRIVATE")
+  install(TARGETS slamicp_${name} EXPORT slamicp-${name}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(EXPORT slamicp-${name} NAMESPACE slamicp:: FILE slamicp-${name}-targets.cmake DESTINATION ${package_dir})
+
+  # A static library hands its private needs on to whoever links it.
+  if(NOT BUILD_SHARED_LIBS)
+    list(APPEND arg_REQUIRES ${arg_REQUIRES_PRIVATE})
+    set(arg_REQUIRES_PRIVATE "")
+  endif()
+  list(JOIN arg_REQUIRES " " pc_requires)
+  list(JOIN arg_REQUIRES_PRIVATE " " pc_requires_private)
+  set(pc_name slamicp-${name})
+  set(pc_description ${arg_DESCRIPTION})
+  set(pc_library slamicp_${name})
+  file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+  string(REGEX REPLACE "/$" "" pc_prefix "${pc_prefix}")
+  cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_LIBDIR BASE_DIRECTORY "\${prefix}" OUTPUT_VARIABLE pc_libdir)
+  cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_INCLUDEDIR BASE_DIRECTORY "\${prefix}" OUTPUT_VARIABLE pc_includedir)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/slamicp.pc.in ${PROJECT_BINARY_DIR}/slamicp-${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/slamicp-${name}.pc DESTINATION ${pkgconfig_dir})
+endfunction()
+
+slamicp_install_library(core REQUIRES eigen3 DESCRIPTION "${PROJECT_DESCRIPTION}")
+if(SLAMICP_BUILD_IO)
+  slamicp_install_library(io REQUIRES slamicp-core REQUIRES_PRIVATE ${SLAMICP_IO_MODULES}
+    DESCRIPTION "Files and pictures for slamicp-core")
+endif()
+if(TARGET slamicp_command)
+  file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  set_target_properties(slamicp_command PROPERTIES INSTALL_RPATH "$ORIGIN/${to_libraries}")
+  install(TARGETS slamicp_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/slamicp-config.cmake.in
+  ${PROJECT_BINARY_DIR}/slamicp-config.cmake INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/slamicp-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/slamicp-config.cmake ${PROJECT_BINARY_DIR}/slamicp-config-version.cmake
+  DESTINATION ${package_dir})

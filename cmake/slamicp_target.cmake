@@ -1,0 +1,25 @@
+# The compiler settings that every target of the project shares.
+add_library(slamicp_settings INTERFACE)
+target_compile_features(slamicp_settings INTERFACE cxx_std_20)
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  target_compile_options(slamicp_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+  if(SLAMICP_WERROR)
+    target_compile_options(slamicp_settings INTERFACE -Werror)
+  endif()
+  if(SLAMICP_SANITIZE)
+    target_compile_options(slamicp_settings INTERFACE
+      -fsanitize=${SLAMICP_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    target_link_options(slamicp_settings INTERFACE -fsanitize=${SLAMICP_SANITIZE})
+  endif()
+  if(SLAMICP_BUILD_FUZZERS)
+    target_compile_options(slamicp_settings INTERFACE -fsanitize=fuzzer-no-link)
+  endif()
+elseif(MSVC)
+  target_compile_options(slamicp_settings INTERFACE /W4 /utf-8 $<$<BOOL:${SLAMICP_WERROR}>:/WX>)
+endif()
+
+# slamicp_settings_for(TARGET): warnings and sanitizers for our own sources, not for those who link us.
+function(slamicp_settings_for target)
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:slamicp_settings>)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF WINDOWS_EXPORT_ALL_SYMBOLS ON)
+endfunction()

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <slamicp/localization/fix.hpp>
+#include <slamicp/obstacles/oriented_box.hpp>
+#include <slamicp/scan/laser_scan.hpp>
+#include <string>
+#include <vector>
+
+namespace slamicp {
+
+/// Something that stands where the map has nothing.
+struct Obstacle {
+  OrientedBox box;          ///< around what was seen of it, in the map's frame
+  double distance = 0.0;    ///< from the laser to its nearest seen point [m]
+  std::vector<int> points;  ///< its points, as indices into the Fix's scan (or into the cloud it was found in)
+
+  /// "0.42 m x 0.18 m at 3.10 m, 0.55 m, 41 points"
+  std::string brief() const;
+};
+
+struct ObstacleOptions {
+  /// Fewer points make no obstacle: noise comes alone. At least 1.
+  int min_points = 3;
+  /// Range noise, 1 sigma [m]: neighbours along the scan this unsteady still belong together. At least 0.
+  double range_noise = 0.01;
+  /// The flattest incidence at which a surface still holds together [deg]. Smaller joins more. In (0, 90).
+  double min_incidence_deg = 10.0;
+
+  /// The first rule broken, in words a user can act on; empty if none.
+  std::string problem() const;
+};
+
+/// Groups a fix's outliers into obstacles, nearest first.
+///
+/// Outliers that follow each other along the scan belong together while their gap is no wider than a surface seen
+/// at min_incidence would leave (the adaptive breakpoint of Borges, Aldon 2004). O(outliers). Throws Error with
+/// options.problem().
+std::vector<Obstacle> find_obstacles(const Fix& fix, const LaserScan& scan, const ObstacleOptions& options = {});
+
+}  // namespace slamicp

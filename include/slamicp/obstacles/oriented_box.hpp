@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <slamicp/geometry/point_cloud.hpp>
+#include <span>
+
+namespace slamicp {
+
+/// A rectangle in the plane.
+struct OrientedBox {
+  Point2 center = Point2::Zero();  ///< [m]
+  double width = 0.0;              ///< the longer side [m]
+  double depth = 0.0;              ///< the shorter side [m]
+  double heading = 0.0;            ///< of the longer side, in (-pi/2, pi/2] [rad]
+};
+
+/// The rectangle of least area around the points: one of its sides lies on a side of their convex hull (Freeman,
+/// Shapira 1975). Zero sides where the points do not span them; all zero without points. O(n log n + hull^2).
+OrientedBox smallest_box(PointView<2> points);
+
+}  // namespace slamicp

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <slamicp/obstacles/find_obstacles.hpp>
+
+namespace slamicp {
+
+struct ReconstructionOptions {
+  double gap = 0.15;        ///< points closer than this belong together [m]; above 0
+  int min_points = 20;      ///< smaller groups are dropped: noise does not repeat itself at one place. At least 1
+  double filter_radius = 0.03;  ///< a point needs filter_neighbours others this near [m]; above 0
+  int filter_neighbours = 3;    ///< 0: no filter
+
+  /// The first rule broken, in words a user can act on; empty if none.
+  std::string problem() const;
+};
+
+/// The obstacles that a run's outliers add up to (the paper, section 4.2, Figure 16), largest first: outliers of many
+/// scans, in the map's frame [m], filtered and grouped by nearness. `points` of each count `outliers`; `distance` is 0.
+/// For things that stand still. O(n log n). Throws Error with options.problem().
+std::vector<Obstacle> reconstruct_obstacles(const PointCloud2& outliers, const ReconstructionOptions& options = {});
+
+}  // namespace slamicp

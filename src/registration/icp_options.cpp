@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <slamicp/registration/icp_options.hpp>
+
+namespace slamicp {
+namespace {
+
+bool is_length(double value) noexcept { return std::isfinite(value) && value > 0.0; }
+
+}  // namespace
+
+std::string IcpOptions::problem() const {
+  if (!is_length(max_correspondence_distance))
+    return "max_correspondence_distance must be a length above 0 m; 0.3 m is the paper's";
+  if (outlier_distance && !is_length(*outlier_distance))
+    return "outlier_distance must be a length above 0 m; leave it out to use max_correspondence_distance";
+  if (max_iterations < 1) return "max_iterations must be at least 1; 50 is the default";
+  if (!is_length(kernel_scale)) return "kernel_scale must be a length above 0 m; 0.05 m is the default";
+  if (!(final_gate >= 0.0) || final_gate > max_correspondence_distance)
+    return "final_gate must lie between 0 (from the map) and max_correspondence_distance";
+  if (!is_length(translation_tolerance)) return "translation_tolerance must be above 0 m; 1e-4 is the default";
+  if (!is_length(rotation_tolerance)) return "rotation_tolerance must be above 0 rad; 1e-4 is the default";
+  return {};
+}
+
+}  // namespace slamicp
