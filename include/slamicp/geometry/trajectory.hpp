@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <slamicp/geometry/pose.hpp>
 #include <vector>
+
+#include <slamicp/geometry/pose.hpp>
 
 namespace slamicp {
 

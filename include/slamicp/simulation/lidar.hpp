@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <slamicp/scan/laser_scan.hpp>
+#include <slamicp/simulation/random.hpp>
+#include <slamicp/simulation/world.hpp>
+
+namespace slamicp {
+
+/// A planar lidar, as its data sheet has it. Beam i points to `angle_min + i * angle_increment` in the laser's frame.
+struct LidarModel {
+  int beams = 1081;              ///< a sweep
+  double angle_min = 0.0;        ///< direction of beam 0 [rad]
+  double angle_increment = 0.0;  ///< > 0 [rad]; all beams together at most one turn
+  double range_min = 0.1;        ///< nearer things give no return [m]
+  double range_max = 30.0;       ///< so do things at this range and beyond [m]
+  double rate = 40.0;            ///< sweeps a second [Hz]
+  double range_noise = 0.01;     ///< standard deviation of a reading [m], the same at all ranges; 0 for exact ranges
+  Pose2 T_robot_laser = {};      ///< where it sits on the robot
+
+  /// The first rule broken, in words; empty where all is well.
+  std::string problem() const;
+};
+
+/// The Hokuyo UTM-30LX of the paper's robot: 1,081 beams over 270 deg, 0.1 to 30 m, 40 Hz.
+LidarModel hokuyo_utm30lx(double range_noise = 0.01);
+
+/// The exact distance that each beam travels to what it meets first: walls, pillars and obstacles [m]; infinity where
+/// it meets nothing. `ranges` keeps its memory from scan to scan.
+///
+/// A thing costs the beams that point at it, hidden or not, so a scan costs O(beams + things) for a usual world.
+/// Throws Error for a model with a `problem()`.
+void true_ranges(const World& world, const Pose2& T_map_laser, const LidarModel& lidar, std::vector<double>& ranges);
+
+/// One sweep with noise, all beams at one instant: the robot stands still meanwhile (motion during the sweep is later
+/// work). No return is 0. Draws one number a beam whatever it meets, so the same seed gives the same noise with and
+/// without an obstacle. The stamp is 0.
+LaserScan scan(const World& world, const Pose2& T_map_robot, const LidarModel& lidar, Random& random);
+
+}  // namespace slamicp
