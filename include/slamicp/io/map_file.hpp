@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include <slamicp/map/point_map.hpp>
+
+namespace slamicp {
+
+/// A 2D map, ready to localize in: the points of a cloud file (see load_cloud2), their lines and their index.
+/// Throws Error where the file cannot be read, is 3D, or holds no point.
+PointMap2::Pointer load_map(const std::filesystem::path& path, const SurfaceOptions& surfaces = {});
+
+/// Writes the map's points as a cloud, by the file name's ending.
+void save_map(const std::filesystem::path& path, const PointMap2& map);
+
+}  // namespace slamicp

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include <slamicp/error.hpp>
+#include <slamicp/io/file_kind.hpp>
+
+namespace slamicp {
+namespace {
+
+FileKind kind_of_csv(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Error("cannot be read: " + std::string(std::strerror(errno)), path.string(), "check the name");
+  std::string line;
+  while (std::getline(file, line)) {
+    const bool is_numbers = line.find_first_of("0123456789") != std::string::npos && line.front() != '#' &&
+                            std::isalpha(static_cast<unsigned char>(line.front())) == 0;
+    if (is_numbers) return std::count(line.begin(), line.end(), ',') > 2 ? FileKind::scan_log : FileKind::cloud;
+  }
+  return FileKind::cloud;
+}
+
+}  // namespace
+
+FileKind kind_of(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending == ".clf" || ending == ".log") return FileKind::scan_log;
+  if (ending == ".xyz" || ending == ".pcd" || ending == ".ply") return FileKind::cloud;
+  if (ending == ".csv") return kind_of_csv(path);
+  throw Error("the ending '" + ending + "' is not one we read", path.string(),
+              "give a log (.clf .log .csv) or a cloud (.csv .xyz .pcd .ply)");
+}
+
+}  // namespace slamicp
