@@ -82,33 +82,48 @@ struct Localizer::State {
   Fix fix;
 
   void match(const LaserScan& scan);
+  void align_to_map(const Pose2& guess);
   void take_scan_as_map();
 };
 
 void Localizer::State::match(const LaserScan& scan) {
   fix.stamp = scan.stamp;
   to_points(scan, options.ranges, fix.scan);
-  fix.predicted = fix.pose * prediction.motion_until(scan);
+  icp.reserve(scan.ranges.size());
+  const Pose2 predicted = fix.pose * prediction.motion_until(scan);
+  fix.predicted = predicted.is_finite() ? predicted : fix.pose;  // odometry may tell tales
   if (map) {
     fix.map = map;
-    fix.match = icp.align(map->indexed(), fix.scan.in_robot, fix.predicted, options.outputs);
+    align_to_map(fix.predicted);
     fix.pose = fix.match.stop == Stop::too_few_points || fix.match.stop == Stop::no_overlap ? fix.predicted : fix.match.pose;
   }
   prediction.remember(scan, fix.pose);
   if (scan_to_scan) take_scan_as_map();
 }
 
+void Localizer::State::align_to_map(const Pose2& guess) {
+  const IcpResult2& result = icp.align(map->indexed(), fix.scan.in_robot, guess, options.outputs);
+  // The copy gets as much room as the original: a scan with more outliers than those before allocates nothing.
+  fix.match.outlier_indices.reserve(result.outlier_indices.capacity());
+  fix.match.outliers_in_map.reserve(result.outliers_in_map.capacity());
+  fix.match.transformed_scan.reserve(result.transformed_scan.capacity());
+  fix.match.updated_map.reserve(result.updated_map.capacity());
+  fix.match.matches.reserve(result.matches.capacity());
+  fix.match = result;
+}
+
 void Localizer::State::take_scan_as_map() {
   PointCloud2 in_map;
   in_map.reserve(fix.scan.in_robot.size());
-  for (const Point2& point : fix.scan.in_robot) in_map.push_back(fix.pose * point);
+  for (const Point2& point : fix.scan.in_robot)
+    if (is_finite<2>(fix.pose * point)) in_map.push_back(fix.pose * point);
   if (in_map.empty()) return;
   const bool is_first = map == nullptr;
   map = PointMap2::create(std::move(in_map));
   if (!is_first) return;
   // The first scan defines the map: it fits itself where it was told to stand.
   fix.map = map;
-  fix.match = icp.align(map->indexed(), fix.scan.in_robot, fix.pose, options.outputs);
+  align_to_map(fix.pose);
   fix.pose = fix.predicted;
 }
 
@@ -134,6 +149,9 @@ void Localizer::set_pose(const Pose2& pose) {
 
 void Localizer::set_map(PointMap2::Pointer map) {
   if (!map) throw Error("the map is null", "Localizer::set_map", "make one with PointMap2::create, or load_map");
+  if (state_->options.method != Method::point_to_point && !map->indexed().has_surfaces())
+    throw Error("the map has no surfaces", "Localizer::set_map",
+                "build it with SurfaceOptions::neighbours above 0, or use Method::point_to_point");
   state_->map = std::move(map);
   state_->scan_to_scan = false;
 }

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <limits>
 #include <numbers>
+
 #include <slamicp/error.hpp>
 #include <slamicp/obstacles/find_obstacles.hpp>
 
@@ -40,7 +41,7 @@ Obstacle make_obstacle(const Fix& fix, const Point2& laser, std::vector<int> poi
 std::string Obstacle::brief() const {
   char text[128];
   std::snprintf(text, sizeof text, "%.2f m x %.2f m at %.2f m, %.2f m, %zu points", box.width, box.depth,
-                box.center.x(), box.center.y(), points.size());
+                box.centre.x(), box.centre.y(), points.size());
   return text;
 }
 

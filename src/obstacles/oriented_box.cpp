@@ -3,6 +3,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
+
 #include <slamicp/obstacles/oriented_box.hpp>
 
 namespace slamicp {
@@ -70,6 +73,24 @@ OrientedBox smallest_box(PointView<2> points) {
     }
   }
   return normalized(best);
+}
+
+OrientedBox trimmed_box(const OrientedBox& box, PointView<2> points, double trim) {
+  if (points.empty()) return box;
+  const Point2 along(std::cos(box.heading), std::sin(box.heading));
+  const Point2 across(-along.y(), along.x());
+  const auto extent = [&](const Point2& axis) {
+    std::vector<double> places;
+    places.reserve(points.size());
+    for (const Point2& point : points) places.push_back(axis.dot(point));
+    std::sort(places.begin(), places.end());
+    const auto outside = static_cast<std::size_t>(trim * static_cast<double>(places.size()));
+    return std::pair(places[outside], places[places.size() - 1 - outside]);
+  };
+  const auto [back, front] = extent(along);
+  const auto [right, left] = extent(across);
+  return normalized(
+      {0.5 * (back + front) * along + 0.5 * (right + left) * across, front - back, left - right, box.heading});
 }
 
 }  // namespace slamicp

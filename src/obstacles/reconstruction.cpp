@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+
 #include <slamicp/error.hpp>
 #include <slamicp/obstacles/reconstruction.hpp>
 #include <slamicp/search/kd_tree.hpp>
@@ -45,6 +46,7 @@ std::string ReconstructionOptions::problem() const {
   if (min_points < 1) return "min_points must be at least 1";
   if (!(filter_radius > 0.0)) return "filter_radius must be a length above 0 m; 0.03 m is the default";
   if (filter_neighbours < 0) return "filter_neighbours must be at least 0 (no filter)";
+  if (!(trim >= 0.0 && trim <= 0.2)) return "trim must lie between 0 and 0.2; 0.01 is the default";
   return {};
 }
 
@@ -61,7 +63,7 @@ std::vector<Obstacle> reconstruct_obstacles(const PointCloud2& outliers, const R
     PointCloud2 members;
     members.reserve(obstacle.points.size());
     for (const int i : obstacle.points) members.push_back(outliers[static_cast<std::size_t>(i)]);
-    obstacle.box = smallest_box(members);
+    obstacle.box = trimmed_box(smallest_box(members), members, options.trim);
     obstacles.push_back(std::move(obstacle));
   }
   std::sort(obstacles.begin(), obstacles.end(),

@@ -28,6 +28,8 @@ class Correspondences {
     }
   }
 
+  void reserve(std::size_t points) { held_.reserve(points); }
+
   /// Scan points that are numbers.
   std::size_t usable_points() const noexcept { return usable_; }
   std::size_t searches() const noexcept { return searches_; }
@@ -38,7 +40,9 @@ class Correspondences {
     Held& held = held_[i];
     const double others = others_now(held, position);
     const double kept = squared_distance_to(held, position);
-    if (others > 0.0 && (kept < others * others || (held.index < 0 && others >= reach_))) return answer(held.index, kept);
+    const bool same = others > 0.0 && kept < others * others;
+    const bool still_none = others >= reach_ && kept >= reach_ * reach_;
+    if (same || still_none) return answer(held.index, kept);
     search(held, position);
     return answer(held.index, squared_distance_to(held, position));
   }

@@ -65,8 +65,10 @@ struct Icp<D>::State {
   IcpOptions options;
   IcpResult<D> result;
   Correspondences<D> correspondences;
+  std::size_t room = 0;  // scan points to be ready for
 
   void forget() noexcept;
+  void make_room(std::size_t map_points, const Outputs& wanted);
   void find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess);
   void hand_out(const IndexedPoints<D>& map, PointView<D> scan, const Outputs& wanted);
   Match match(std::size_t i, const Point<D>& in_map) noexcept;
@@ -83,6 +85,15 @@ void Icp<D>::State::forget() noexcept {
   result.updated_map.clear();
   result.matches.clear();
   result.searches = result.searches_for_outputs = 0;
+}
+
+template <int D>
+void Icp<D>::State::make_room(std::size_t map_points, const Outputs& wanted) {
+  if (wanted.outlier_indices) result.outlier_indices.reserve(room);
+  if (wanted.outliers_in_map || wanted.updated_map) result.outliers_in_map.reserve(room);
+  if (wanted.transformed_scan) result.transformed_scan.reserve(room);
+  if (wanted.updated_map) result.updated_map.reserve(map_points + room);
+  if (wanted.matches) result.matches.reserve(room);
 }
 
 template <int D>
@@ -124,8 +135,10 @@ Match Icp<D>::State::match(std::size_t i, const Point<D>& in_map) noexcept {
   if (!correspondences.finite(i)) return {};
   const Neighbour neighbour = correspondences.nearest(i, in_map);
   Match match{neighbour.index, std::sqrt(neighbour.squared_distance), PointClass::neither};
-  const bool inlier = match.distance < options.max_correspondence_distance;
-  const bool outlier = match.distance >= options.outlier_threshold();
+  // Squares, as closer_than() compares them: a point's class does not depend on which outputs were asked for.
+  const auto closer_than = [&](double limit) { return neighbour.squared_distance < limit * limit; };
+  const bool inlier = closer_than(options.max_correspondence_distance);
+  const bool outlier = !closer_than(options.outlier_threshold());
   match.point_class = inlier && outlier ? PointClass::both
                       : inlier          ? PointClass::inlier
                       : outlier         ? PointClass::outlier
@@ -164,7 +177,6 @@ void Icp<D>::State::hand_out(const IndexedPoints<D>& map, PointView<D> scan, con
   }
   if (result.inliers > 0) result.mean_inlier_distance = sum / static_cast<double>(result.inliers);
   if (wanted.updated_map) {
-    result.updated_map.reserve(map.size() + result.outliers_in_map.size());
     result.updated_map = map.points();
     result.updated_map.insert(result.updated_map.end(), result.outliers_in_map.begin(), result.outliers_in_map.end());
     if (!wanted.outliers_in_map) result.outliers_in_map.clear();
@@ -193,11 +205,19 @@ const IcpResult<D>& Icp<D>::align(const IndexedPoints<D>& map, PointView<D> scan
     throw Error("the map has no surfaces", "Icp::align",
                 "build it with SurfaceOptions::neighbours above 0, or use Method::point_to_point");
   state_->forget();
-  state_->find_pose(map, scan, guess);
+  state_->room = std::max(state_->room, scan.size());
+  state_->make_room(map.size(), wanted);
+  state_->find_pose(map, scan, guess * Pose<D>{});  // angles leave the library in (-pi, pi], the guess's too
   state_->result.searches = state_->correspondences.searches();
   state_->hand_out(map, scan, wanted);
   state_->result.searches_for_outputs = state_->correspondences.searches() - state_->result.searches;
   return state_->result;
+}
+
+template <int D>
+void Icp<D>::reserve(std::size_t points) {
+  state_->room = std::max(state_->room, points);
+  state_->correspondences.reserve(points);
 }
 
 template <int D>

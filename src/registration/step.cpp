@@ -93,6 +93,7 @@ Step<D> point_to_point_step(const StepInput<D>& input, Correspondences<D>& corre
   Matrix<D, D> products = Matrix<D, D>::Zero();
   for_each_pair<D>(input, correspondences, [&](const Point<D>& p, const Point<D>&, std::size_t k, double distance) {
     const double weight = kernel_weight(input.kernel, distance, input.kernel_scale);
+    if (weight == 0.0) return;  // holds nothing, so it is no pair
     const Point<D> m = input.map.points()[k] - origin;
     weights += weight;
     reach2 += p.squaredNorm();
@@ -126,6 +127,7 @@ Step<D> point_to_surface_step(const StepInput<D>& input, Correspondences<D>& cor
     if (!surface.valid()) return;
     const double residual = surface.normal.dot(surface.centroid - in_map);
     const double weight = kernel_weight(input.kernel, residual, input.kernel_scale);
+    if (weight == 0.0) return;
     const Vector<D> normal = into_robot * surface.normal;
     typename Pose<D>::Tangent jacobian;
     jacobian << normal, turn_jacobian(p, normal);

@@ -16,9 +16,11 @@ constexpr std::size_t max_neighbours = 64;
 void check(const SurfaceOptions& options) {
   const auto refuse = [](const char* what, const char* mend) { throw Error(what, "SurfaceOptions", mend); };
   if (options.neighbours < 0 || options.neighbours > static_cast<int>(max_neighbours))
-    refuse("neighbours is out of range", "give 0 (no surfaces) to 64; 20 is the default");
+    refuse("neighbours is out of range", "give 0 (no surfaces) to 64; 12 is the default");
   if (!(options.radius > 0.0)) refuse("radius is not above zero", "give metres; 0.5 is the default");
   if (options.min_neighbours < 3) refuse("min_neighbours is below 3", "two points make no surface; 5 is the default");
+  if (options.neighbours > 0 && options.min_neighbours > options.neighbours)
+    refuse("min_neighbours is above neighbours", "no point could have a surface: lower it, or give 0 neighbours");
   if (options.threads < 1) refuse("threads is below 1", "give the number of threads to use");
 }
 
@@ -44,7 +46,7 @@ IndexedPoints<D> IndexedPoints<D>::with_added(PointView<D> added) const {
   const std::size_t first = points_.size();
   grown.points_.insert(grown.points_.end(), added.begin(), added.end());
   grown.index_from(first);
-  if (first == 0) grown.spacing_ = grown.sample_spacing();
+  grown.spacing_ = grown.sample_spacing();
   if (!has_surfaces() && (first > 0 || options_.neighbours == 0)) return grown;
 
   grown.surfaces_.resize(grown.points_.size());
@@ -131,8 +133,10 @@ void IndexedPoints<D>::estimate_surface(std::size_t k) noexcept {
   const std::span<Neighbour> found(storage.data(), static_cast<std::size_t>(options_.neighbours));
   const std::size_t count = nearest_k(points_[k], options_.radius, found);
   surfaces_[k] = {};
-  window_[k] = count < found.size() ? std::numeric_limits<float>::infinity()
-                                    : static_cast<float>(std::sqrt(found.back().squared_distance));
+  constexpr float infinity = std::numeric_limits<float>::infinity();  // rounding up: a window too wide costs little
+  window_[k] = count < found.size()
+                   ? infinity
+                   : std::nextafter(static_cast<float>(std::sqrt(found.back().squared_distance)), infinity);
   if (count < static_cast<std::size_t>(std::max(options_.min_neighbours, D + 1))) return;
 
   // Sums relative to the point: no digits are lost far from the map's origin.

@@ -52,7 +52,7 @@ struct NearestKVisitor {
     return count < found.size() ? reach2 : std::min(reach2, found.back().squared_distance);
   }
   void see(int id, double squared_distance) noexcept {
-    if (!(squared_distance < reach2) || found.empty()) return;
+    if (!(squared_distance < reach2)) return;
     if (count == found.size() && !before(squared_distance, id, found.back())) return;
     std::size_t place = count < found.size() ? count++ : count - 1;
     for (; place > 0 && before(squared_distance, id, found[place - 1]); --place) found[place] = found[place - 1];
@@ -145,9 +145,11 @@ void KdTree<D>::visit(const Point<D>& query, Visitor& visitor) const noexcept(no
       const Node& node = nodes_[here.node];
       const double beyond = query[node.axis] - node.split;
       const bool is_right = beyond >= 0.0;
-      Pending far{is_right ? here.node + 1 : node.first, here.squared_distance, here.offset};
-      far.squared_distance += beyond * beyond - here.offset[node.axis] * here.offset[node.axis];
+      Pending far{is_right ? here.node + 1 : node.first, 0.0, here.offset};
       far.offset[node.axis] = beyond;
+      // Summed anew, as see()'s distances are: no coordinate is smaller than a point's there, so rounding cannot make
+      // the box seem farther than a point in it.
+      far.squared_distance = far.offset.squaredNorm();
       if (far.squared_distance <= visitor.bound()) stack[waiting++] = far;
       here.node = is_right ? node.first : here.node + 1;
     }
@@ -174,6 +176,7 @@ NearestTwo KdTree<D>::nearest_two(const Point<D>& query, double reach) const noe
 template <int D>
 std::size_t KdTree<D>::nearest_k(const Point<D>& query, double reach, std::span<Neighbour> found,
                                  std::size_t count) const noexcept {
+  if (found.empty()) return 0;
   NearestKVisitor visitor{reach * reach, found, count};
   visit(query, visitor);
   return visitor.count;

@@ -13,13 +13,13 @@ namespace slamicp {
 /// The options of a localizer; those of the match have the names and meanings of IcpOptions.
 struct LocalizerOptions {
   double max_correspondence_distance = 0.3;  ///< the paper's *indist* [m]
-  std::optional<double> outlier_distance;    ///< the paper's *O_t* [m]; default: the distance above
+  std::optional<double> outlier_distance{};  ///< the paper's *O_t* [m]; default: the distance above
   Method method = Method::point_to_line;
   int max_iterations = 50;
   RobustKernel kernel = RobustKernel::none;
   double kernel_scale = 0.05;  ///< [m]
   double final_gate = 0.0;     ///< [m]; 0: from the map
-  RangeFilter ranges;          ///< readings to leave out
+  RangeFilter ranges{};        ///< readings to leave out
   /// What to compute for each fix besides the pose. Per-point matches cost a distance a point.
   Outputs outputs = {.mean_inlier_distance = true, .outlier_indices = true, .outliers_in_map = true};
 

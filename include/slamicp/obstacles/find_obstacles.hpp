@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <slamicp/localization/fix.hpp>
 #include <slamicp/obstacles/oriented_box.hpp>
 #include <slamicp/scan/laser_scan.hpp>
-#include <string>
-#include <vector>
 
 namespace slamicp {
 

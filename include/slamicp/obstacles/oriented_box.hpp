@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <slamicp/geometry/point_cloud.hpp>
 #include <span>
+
+#include <slamicp/geometry/point_cloud.hpp>
 
 namespace slamicp {
 
 /// A rectangle in the plane.
 struct OrientedBox {
-  Point2 center = Point2::Zero();  ///< [m]
+  Point2 centre = Point2::Zero();  ///< [m]
   double width = 0.0;              ///< the longer side [m]
   double depth = 0.0;              ///< the shorter side [m]
   double heading = 0.0;            ///< of the longer side, in (-pi/2, pi/2] [rad]
@@ -17,5 +18,8 @@ struct OrientedBox {
 /// The rectangle of least area around the points: one of its sides lies on a side of their convex hull (Freeman,
 /// Shapira 1975). Zero sides where the points do not span them; all zero without points. O(n log n + hull^2).
 OrientedBox smallest_box(PointView<2> points);
+
+/// The box with the heading of `box` that leaves the share `trim` of the points outside each of its sides.
+OrientedBox trimmed_box(const OrientedBox& box, PointView<2> points, double trim);
 
 }  // namespace slamicp

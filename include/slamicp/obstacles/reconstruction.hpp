@@ -6,10 +6,13 @@
 namespace slamicp {
 
 struct ReconstructionOptions {
-  double gap = 0.15;        ///< points closer than this belong together [m]; above 0
-  int min_points = 20;      ///< smaller groups are dropped: noise does not repeat itself at one place. At least 1
+  double gap = 0.15;            ///< points closer than this belong together [m]; above 0
+  int min_points = 20;          ///< smaller groups are dropped: noise does not repeat itself at one place. At least 1
   double filter_radius = 0.03;  ///< a point needs filter_neighbours others this near [m]; above 0
   int filter_neighbours = 3;    ///< 0: no filter
+  /// Share of the points left outside each side of the box: their noise would make it larger than the thing. In [0,
+  /// 0.2].
+  double trim = 0.01;
 
   /// The first rule broken, in words a user can act on; empty if none.
   std::string problem() const;

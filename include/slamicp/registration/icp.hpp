@@ -30,6 +30,10 @@ class Icp {
   const IcpResult<D>& align(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess,
                             const Outputs& wanted = {});
 
+  /// Makes room for scans of up to so many points, so that a later scan with more returns or more outliers than the
+  /// first allocates nothing either.
+  void reserve(std::size_t points);
+
   const IcpResult<D>& result() const noexcept;
   const IcpOptions& options() const noexcept;
 

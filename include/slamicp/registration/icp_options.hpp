@@ -24,7 +24,7 @@ struct IcpOptions {
 
   /// The paper's *O_t* [m]: a point at least this far from every map point is an outlier. Default: the distance above.
   /// 0.3 m, the paper's value, hides small things near walls. Above 0.
-  std::optional<double> outlier_distance;
+  std::optional<double> outlier_distance{};
 
   /// Steps at most. A step costs a search a point. At least 1.
   int max_iterations = 50;

@@ -25,7 +25,7 @@ using Surface3 = Surface<3>;
 struct SurfaceOptions {
   /// Neighbours that take part, the point itself included. Fewer follow the noise, more round off corners. 0: no
   /// surfaces, for point-to-point only. Range 0 to 64.
-  int neighbours = 20;
+  int neighbours = 12;
   /// Neighbours farther than this do not take part [m]. Too large rounds off door jambs in a thin map, too small
   /// leaves points without a surface.
   double radius = 0.5;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include <slamicp/error.hpp>
+#include <slamicp/mapping/mapper.hpp>
+
+namespace slamicp {
+namespace {
+
+LocalizerOptions localizer_options(const MapperOptions& options) {
+  if (const std::string problem = options.problem(); !problem.empty()) throw Error(problem, "MapperOptions");
+  LocalizerOptions localizer;
+  localizer.max_correspondence_distance = options.max_correspondence_distance;
+  localizer.outlier_distance = options.insertion_distance;
+  localizer.method = options.method;
+  localizer.max_iterations = options.max_iterations;
+  localizer.final_gate = std::min(options.final_gate, options.max_correspondence_distance);
+  localizer.ranges = options.ranges;
+  localizer.outputs = {.mean_inlier_distance = true,
+                       .outliers_in_map = true,
+                       .transformed_scan = options.update == MapUpdate::all_points};
+  return localizer;
+}
+
+PointCloud2 in_map(const Fix& fix) {
+  PointCloud2 points;
+  points.reserve(fix.scan.in_robot.size());
+  for (const Point2& point : fix.scan.in_robot) points.push_back(fix.pose * point);
+  return points;
+}
+
+}  // namespace
+
+std::string MapperOptions::problem() const {
+  if (!(insertion_distance > 0.0)) return "insertion_distance must be a length above 0 m; 0.05 m is the default";
+  if (!(keyframe_distance > 0.0)) return "keyframe_distance must be a length above 0 m; 0.3 m is the default";
+  if (!(keyframe_turn > 0.0)) return "keyframe_turn must be an angle above 0 rad; 0.17 is the default";
+  if (!(final_gate > 0.0)) return "final_gate must be a length above 0 m; 0.15 m is the default";
+  if (!(ranges.max_range > ranges.min_range) || !(ranges.min_range >= 0.0))
+    return "ranges must have 0 <= min_range < max_range";
+  if (!initial_pose.is_finite()) return "initial_pose must be finite";
+  IcpOptions icp;
+  icp.max_correspondence_distance = max_correspondence_distance;
+  icp.max_iterations = max_iterations;
+  return icp.problem();
+}
+
+Mapper::Mapper(const MapperOptions& options) : options_(options), localizer_(localizer_options(options)) {
+  localizer_.set_pose(options.initial_pose);
+}
+
+const Fix& Mapper::add(const LaserScan& scan) {
+  const Fix& fix = localizer_.update(scan);
+  trajectory_.push_back({scan.stamp, fix.pose});
+  const bool unmatched = fix.stop() == Stop::no_overlap || fix.stop() == Stop::too_few_points;
+  if (keyframes_ == 0) {
+    if (fix.scan.in_robot.empty()) return fix;
+    localizer_.set_map(PointMap2::create(in_map(fix), options_.surfaces));
+    last_keyframe_ = fix.pose;
+    keyframes_ = 1;
+    return fix;
+  }
+  if (unmatched) ++unmatched_;
+  if (moved_on(fix.pose)) grow(fix);
+  return fix;
+}
+
+bool Mapper::moved_on(const Pose2& pose) const noexcept {
+  const PoseDistance moved = distance(last_keyframe_, pose);
+  return moved.translation > options_.keyframe_distance || moved.rotation > options_.keyframe_turn;
+}
+
+void Mapper::grow(const Fix& fix) {
+  last_keyframe_ = fix.pose;
+  ++keyframes_;
+  if (fix.stop() == Stop::no_overlap) {
+    // Nothing known is in sight: the map goes on where the prediction says.
+    localizer_.set_map(map()->with_added(in_map(fix)));
+  } else if (options_.update == MapUpdate::all_points) {
+    localizer_.set_map(update_with_all_points<2>(map(), fix.match));
+  } else {
+    localizer_.set_map(update_with_outliers<2>(map(), fix.match));
+  }
+}
+
+}  // namespace slamicp
