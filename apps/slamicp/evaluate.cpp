@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// slamicp evaluate: how wrong a trajectory is.
+#include <map>
+#include <memory>
+
+#include <slamicp/evaluation/relation_error.hpp>
+#include <slamicp/evaluation/trajectory_error.hpp>
+#include <slamicp/io/relations_file.hpp>
+#include <slamicp/io/trajectory_file.hpp>
+
+#include "output.hpp"
+#include "verbs.hpp"
+#include "words.hpp"
+
+namespace slamicp::command {
+namespace {
+
+struct Words {
+  std::string trajectory, truth, relations, json, align = "none";
+};
+
+Json to_json(const TrajectoryError& error) {
+  return {{"translation", command::to_json(error.translation)},
+          {"rotation", command::to_json(error.rotation)},
+          {"unmatched", error.unmatched}};
+}
+Json to_json(const RelationErrorStatistics& errors) {
+  return {{"translation", command::to_json(errors.translation)},
+          {"rotation_deg", command::to_json(errors.rotation_deg)}};
+}
+
+void against_truth(const Words& words) {
+  static const std::map<std::string, Alignment> alignments{
+      {"none", Alignment::none}, {"first", Alignment::first}, {"se2", Alignment::se2}};
+  TrajectoryErrorOptions options;
+  options.alignment = alignments.at(words.align);
+  const Trajectory estimate = load_trajectory(words.trajectory);
+  const Trajectory truth = load_trajectory(words.truth);
+  const TrajectoryError absolute = absolute_error(estimate, truth, options);
+  write_json(words.json, {{"verb", "evaluate"},
+                          {"trajectory", words.trajectory},
+                          {"truth", words.truth},
+                          {"align", words.align},
+                          {"absolute", to_json(absolute)}});
+  Talk{words.json}("absolute error, aligned " + words.align + ": " + absolute.brief());
+}
+
+void against_relations(const Words& words) {
+  const RelationError error = relation_error(load_trajectory(words.trajectory), load_relations(words.relations));
+  write_json(words.json, {{"verb", "evaluate"},
+                          {"trajectory", words.trajectory},
+                          {"relations", words.relations},
+                          {"all", to_json(error.all)},
+                          {"over_60_s", to_json(error.long_spans)},
+                          {"not_found", error.not_found}});
+  Talk{words.json}("relation error: " + error.brief());
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& program) {
+  CLI::App* verb =
+      program.add_subcommand("evaluate", "errors of a trajectory against the truth or a benchmark's relations");
+  const auto words = std::make_shared<Words>();
+  verb->add_option("TRAJECTORY", words->trajectory, "TUM file: stamp x y z qx qy qz qw")->required();
+  CLI::Option* truth =
+      verb->add_option("--truth", words->truth, "true poses: mean, RMSE, p95 and largest error")->type_name("TUM");
+  verb->add_option("--align", words->align,
+                   "move the trajectory onto the truth first: none, first pose, best fit (se2)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"none", "first", "se2"}))
+      ->needs(truth);
+  CLI::Option* relations = verb->add_option("--relations", words->relations,
+                                            "true relative poses: the SLAM benchmark's score (Kuemmerle 2009)")
+                               ->type_name("FILE");
+  truth->excludes(relations);
+  add_json(*verb, words->json);
+  add_example(*verb, "slamicp evaluate run.tum --relations intel.relations");
+  verb->callback([words] {
+    if (!words->truth.empty())
+      against_truth(*words);
+    else if (!words->relations.empty())
+      against_relations(*words);
+    else
+      throw CLI::RequiredError("--truth or --relations");
+  });
+}
+
+}  // namespace slamicp::command

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// slamicp localize: every scan of a log in a given map.
+#include <map>
+#include <memory>
+
+#include <slamicp/error.hpp>
+#include <slamicp/io/csv_table.hpp>
+#include <slamicp/io/map_file.hpp>
+#include <slamicp/io/trajectory_file.hpp>
+#include <slamicp/localization/localizer.hpp>
+#include <slamicp/obstacles/find_obstacles.hpp>
+
+#include "output.hpp"
+#include "report.hpp"
+#include "verbs.hpp"
+#include "words.hpp"
+
+namespace slamicp::command {
+namespace {
+
+struct Words {
+  std::string log, map, trajectory, outliers, obstacles, metrics, update_map, report, json;
+  std::optional<Pose2> initial_pose;
+  std::optional<double> outlier_distance;
+  ScanLogOptions reading;
+  MatchOptions match;
+};
+
+LocalizerOptions localizer_options(const Words& words) {
+  LocalizerOptions options;
+  options.method = words.match.method;
+  options.max_correspondence_distance = words.match.max_correspondence_distance;
+  options.outlier_distance = words.outlier_distance;
+  options.max_iterations = words.match.max_iterations;
+  options.ranges = words.match.ranges;
+  options.outputs.matches = !words.outliers.empty();  // they carry the distances
+  return options;
+}
+
+/// The files that get lines while the log is read; one that was not asked for is null.
+class Tables {
+ public:
+  explicit Tables(const Words& words)
+      : outliers_(open<OutlierRow>(words.outliers)),
+        obstacles_(open<ObstacleRow>(words.obstacles)),
+        metrics_(open<MetricsRow>(words.metrics)) {}
+
+  void add(std::size_t scan_number, const Fix& fix, const LaserScan& scan, double time_us) {
+    if (outliers_) add_outliers(scan_number, fix);
+    if (obstacles_) add_obstacles(scan_number, fix, scan);
+    if (metrics_)
+      metrics_->add({scan_number, fix.stamp, fix.pose.x, fix.pose.y, fix.pose.theta, to_string(fix.stop()),
+                     fix.match.iterations, fix.scan.in_robot.size(), fix.match.inliers, fix.outliers().size(),
+                     fix.match.mean_inlier_distance, time_us});
+  }
+
+  void commit() {
+    if (outliers_) outliers_->commit();
+    if (obstacles_) obstacles_->commit();
+    if (metrics_) metrics_->commit();
+  }
+
+ private:
+  template <typename Row>
+  static std::unique_ptr<CsvTable<Row>> open(const std::string& file) {
+    return file.empty() ? nullptr : std::make_unique<CsvTable<Row>>(file);
+  }
+
+  void add_outliers(std::size_t scan_number, const Fix& fix) {
+    for (std::size_t k = 0; k < fix.outliers().size(); ++k) {
+      const auto point = static_cast<std::size_t>(fix.outliers()[k]);
+      OutlierRow row;
+      row.scan = scan_number;
+      row.stamp = fix.stamp;
+      row.beam = fix.scan.beams[point];
+      row.x = fix.outliers_in_map()[k].x();
+      row.y = fix.outliers_in_map()[k].y();
+      row.distance = fix.match.matches[point].distance;
+      outliers_->add(row);
+    }
+  }
+
+  void add_obstacles(std::size_t scan_number, const Fix& fix, const LaserScan& scan) {
+    int id = 0;
+    for (const Obstacle& obstacle : find_obstacles(fix, scan)) {
+      ObstacleRow row;
+      row.scan = scan_number;
+      row.stamp = fix.stamp;
+      row.id = id++;
+      row.kind = "unknown";
+      row.x = obstacle.box.centre.x();
+      row.y = obstacle.box.centre.y();
+      row.width = obstacle.box.width;
+      row.depth = obstacle.box.depth;
+      row.heading = obstacle.box.heading;
+      row.radius = 0.5 * std::hypot(obstacle.box.width, obstacle.box.depth);
+      row.points = obstacle.points.size();
+      row.state = "unknown";
+      obstacles_->add(row);
+    }
+  }
+
+  std::unique_ptr<CsvTable<OutlierRow>> outliers_;
+  std::unique_ptr<CsvTable<ObstacleRow>> obstacles_;
+  std::unique_ptr<CsvTable<MetricsRow>> metrics_;
+};
+
+Json summary(const Words& words, const RunRecord& record) {
+  Json stops = Json::object();
+  for (const auto& [stop, count] : record.stops) stops[to_string(stop)] = count;
+  return {
+      {"verb", "localize"},
+      {"log", words.log},
+      {"map", words.map},
+      {"scans", record.trajectory.size()},
+      {"stops", stops},
+      {"iterations_mean", record.mean(&ScanRecord::iterations)},
+      {"points_mean", record.mean(&ScanRecord::points)},
+      {"inliers_mean", record.mean(&ScanRecord::inliers)},
+      {"outliers_mean", record.mean(&ScanRecord::outliers)},
+      {"outliers_max", record.largest(&ScanRecord::outliers)},
+      {"mean_inlier_distance", record.mean(&ScanRecord::mean_inlier_distance)},
+      {"time_us",
+       {{"median", record.quantile(&ScanRecord::time_us, 0.5)}, {"p99", record.quantile(&ScanRecord::time_us, 0.99)}}},
+      {"initial_pose", to_json(record.initial_pose)},
+      {"last_pose", to_json(record.trajectory.back().pose)}};
+}
+
+void run(const Words& words) {
+  const ScanLog log = open_scan_log(words.log, words.reading);
+  warn(log.warnings);
+  if (log.empty()) throw Error("the log holds no scan", words.log, "see 'slamicp info'");
+  SurfaceOptions surfaces;
+  surfaces.threads = words.match.threads;
+  Localizer localizer(load_map(words.map, surfaces), localizer_options(words));
+  if (!words.initial_pose) warn("no --initial-pose: starting at the map's origin, 0,0,0, where 'slamicp map' starts");
+
+  Tables tables(words);
+  RunRecord record;
+  record.log = words.log;
+  record.map_file = words.map;
+  record.initial_pose = words.initial_pose.value_or(Pose2{});
+  localizer.set_pose(record.initial_pose);
+  {
+    Progress progress("localizing", log.size());
+    for (std::size_t number = 0; number < log.size(); ++number) {
+      const Stopwatch watch;
+      const Fix& fix = localizer.update(log[number]);
+      const double time_us = watch.microseconds();
+      tables.add(number, fix, log[number], time_us);
+      record.add(fix, time_us);
+      if (!words.update_map.empty() && fix.usable()) localizer.set_map(update_with_outliers<2>(fix.map, fix.match));
+      progress.step();
+    }
+  }
+  record.map = localizer.map();
+
+  tables.commit();
+  if (!words.trajectory.empty()) save_trajectory(words.trajectory, record.trajectory);
+  if (!words.update_map.empty()) save_map(words.update_map, *localizer.map());
+  if (!words.report.empty()) write_report(words.report, record);
+  write_json(words.json, summary(words, record));
+  const Talk talk(words.json);
+  talk(record.brief());
+}
+
+}  // namespace
+
+void add_localize(CLI::App& program) {
+  CLI::App* verb = program.add_subcommand("localize", "localize every scan of a log in a given map");
+  const auto words = std::make_shared<Words>();
+  verb->add_option("LOG", words->log, "laser log: .clf .log (CARMEN), .csv (ranges)")->required();
+  verb->add_option("--map", words->map, "the map: .csv .xyz .pcd .ply")->required();
+  add_pose(*verb, "--initial-pose", words->initial_pose, "where the robot starts in the map; default 0,0,0");
+  verb->add_option("--trajectory", words->trajectory, "poses T_map_robot, a line a scan")->type_name("TUM");
+  verb->add_option("--outliers", words->outliers, "points that fit nothing in the map")->type_name("CSV");
+  verb->add_option("--obstacles", words->obstacles, "outliers grouped into obstacles")->type_name("CSV");
+  verb->add_option("--metrics", words->metrics, "what each match was like")->type_name("CSV");
+  verb->add_option("--update-map", words->update_map, "the map with the outliers of usable scans added, step by step")
+      ->type_name("MAP_OUT");
+  verb->add_option("--report", words->report, "pictures, figures and charts in one page")->type_name("HTML");
+  add_match_options(*verb, words->match, 0.3);
+  verb->add_option("--outlier-distance", words->outlier_distance,
+                   "points at least this far from every map point are outliers: the paper's O_t [m]; default: "
+                   "--max-correspondence-distance")
+      ->check(CLI::PositiveNumber);
+  add_log_options(*verb, words->reading);
+  add_config(*verb);
+  add_json(*verb, words->json);
+  add_example(*verb, "slamicp localize run.clf --map map.pcd --trajectory run.tum --outliers outliers.csv");
+  verb->callback([verb, words] {
+    read_config(*verb);
+    run(*words);
+  });
+}
+
+}  // namespace slamicp::command

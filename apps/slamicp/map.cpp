@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// slamicp map: a map from a log.
+#include <memory>
+
+#include <slamicp/error.hpp>
+#include <slamicp/io/map_file.hpp>
+#include <slamicp/io/picture.hpp>
+#include <slamicp/io/trajectory_file.hpp>
+#include <slamicp/mapping/mapper.hpp>
+
+#include "output.hpp"
+#include "verbs.hpp"
+#include "words.hpp"
+
+namespace slamicp::command {
+namespace {
+
+struct Words {
+  std::string log, out, trajectory, picture, json;
+  ScanLogOptions reading;
+  MatchOptions match;
+  MapperOptions mapper;
+  bool all_points = false;
+};
+
+MapperOptions mapper_options(const Words& words) {
+  MapperOptions options = words.mapper;
+  options.method = words.match.method;
+  options.max_correspondence_distance = words.match.max_correspondence_distance;
+  options.max_iterations = words.match.max_iterations;
+  options.ranges = words.match.ranges;
+  options.surfaces.threads = words.match.threads;
+  options.update = words.all_points ? MapUpdate::all_points : MapUpdate::outliers;
+  return options;
+}
+
+void draw(const Words& words, const Mapper& mapper) {
+  Picture picture({.title = "map of " + words.log});
+  picture.points(mapper.map()->points(), colours::map, 1.0, std::to_string(mapper.map()->size()) + " map points");
+  picture.path(mapper.trajectory(), colours::path, 1.2, "path");
+  picture.robot(mapper.trajectory().back().pose, 0.25, colours::robot, "robot at the end");
+  picture.save(words.picture);
+}
+
+void run(const Words& words) {
+  const ScanLog log = open_scan_log(words.log, words.reading);
+  warn(log.warnings);
+  Mapper mapper(mapper_options(words));
+  const Stopwatch watch;
+  {
+    Progress progress("mapping", log.size());
+    for (const LaserScan& scan : log) {
+      mapper.add(scan);
+      progress.step();
+    }
+  }
+  const double seconds = watch.microseconds() * 1e-6;
+  if (!mapper.map())
+    throw Error("no scan has a return within the ranges", words.log, "raise --max-range, or see 'slamicp info'");
+
+  save_map(words.out, *mapper.map());
+  if (!words.trajectory.empty()) save_trajectory(words.trajectory, mapper.trajectory());
+  if (!words.picture.empty()) draw(words, mapper);
+  write_json(words.json, {{"verb", "map"},
+                          {"log", words.log},
+                          {"map", words.out},
+                          {"scans", log.size()},
+                          {"map_points", mapper.map()->size()},
+                          {"keyframes", mapper.keyframes()},
+                          {"unmatched_scans", mapper.unmatched()},
+                          {"seconds", seconds},
+                          {"last_pose", to_json(mapper.trajectory().back().pose)}});
+  const Talk talk(words.json);
+  talk(format("%zu scans, %d of them added to the map, %d unmatched; %zu map points in %.1f s -> %s", log.size(),
+              mapper.keyframes(), mapper.unmatched(), mapper.map()->size(), seconds, words.out.c_str()));
+}
+
+}  // namespace
+
+void add_map(CLI::App& program) {
+  CLI::App* verb = program.add_subcommand("map", "SLAM by scan matching: a map from a log");
+  const auto words = std::make_shared<Words>();
+  verb->add_option("LOG", words->log, "laser log: .clf .log (CARMEN), .csv (ranges)")->required();
+  verb->add_option("--out", words->out, "the map: .csv .xyz .pcd .ply")->required()->type_name("MAP");
+  verb->add_option("--trajectory", words->trajectory, "poses T_map_robot, a line a scan")->type_name("TUM");
+  verb->add_option("--picture", words->picture, "map and path")->type_name("FILE.svg|.png");
+  add_match_options(*verb, words->match, words->mapper.max_correspondence_distance);
+  words->match.max_iterations = words->mapper.max_iterations;
+  verb->get_option("--max-iterations")->capture_default_str();
+  verb->add_option("--outlier-distance", words->mapper.insertion_distance,
+                   "points at least this far from the map are new and added: its resolution [m]")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--keyframe-distance", words->mapper.keyframe_distance, "the map grows after moving this far [m]")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  verb->add_flag("--all-points", words->all_points,
+                 "add every point instead of outliers only (the paper's Figure 7b), for comparison");
+  add_log_options(*verb, words->reading);
+  add_config(*verb);
+  add_json(*verb, words->json);
+  add_example(*verb, "slamicp map run.clf --out map.pcd --trajectory run.tum --picture map.svg");
+  verb->callback([verb, words] {
+    read_config(*verb);
+    run(*words);
+  });
+}
+
+}  // namespace slamicp::command

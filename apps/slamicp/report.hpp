@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <slamicp/geometry/trajectory.hpp>
+#include <slamicp/io/picture.hpp>
+#include <slamicp/localization/fix.hpp>
+
+namespace slamicp::command {
+
+/// What a report tells of one scan.
+struct ScanRecord {
+  double iterations = 0.0;
+  double points = 0.0;
+  double inliers = 0.0;
+  double outliers = 0.0;
+  double mean_inlier_distance = 0.0;  // [m]
+  double time_us = 0.0;
+};
+
+/// What a report tells of a run.
+struct RunRecord {
+  std::string log;
+  std::string map_file;
+  PointMap2::Pointer map;
+  Pose2 initial_pose;
+  Trajectory trajectory;
+  std::vector<ScanRecord> scans;
+  std::map<Stop, std::size_t> stops;
+  PointCloud2 outliers;  // of all scans, in the map
+
+  /// The scan with the most outliers: the one to show.
+  struct Shown {
+    std::size_t scan = 0;
+    Pose2 pose;
+    PointCloud2 inliers;   // in the map
+    PointCloud2 outliers;  // in the map
+  } shown;
+
+  void add(const Fix& fix, double time_us);
+
+  double mean(double ScanRecord::*field) const;
+  double largest(double ScanRecord::*field) const;
+  double quantile(double ScanRecord::*field, double share) const;
+  /// One line for people.
+  std::string brief() const;
+
+ private:
+  void show(const Fix& fix);
+};
+
+/// One self-contained page: figures, the picture of the run, charts along the scans.
+void write_report(const std::string& file, const RunRecord& record);
+
+/// The map, the run's outliers, the scan with the most of them, and the path.
+Picture draw_run(const RunRecord& record, const std::string& title);
+
+}  // namespace slamicp::command
