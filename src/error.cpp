@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <slamicp/error.hpp>
-
 #include <utility>
+
+#include <slamicp/error.hpp>
 
 namespace slamicp {
 namespace {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+
 #include <slamicp/geometry/pose.hpp>
 
 namespace slamicp {

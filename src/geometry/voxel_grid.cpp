@@ -2,9 +2,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <unordered_map>
+
 #include <slamicp/error.hpp>
 #include <slamicp/geometry/voxel_grid.hpp>
-#include <unordered_map>
 
 namespace slamicp {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+
 #include <slamicp/error.hpp>
 #include <slamicp/localization/localizer.hpp>
 #include <slamicp/registration/icp.hpp>
@@ -50,7 +51,9 @@ class Prediction {
   }
 
  private:
-  static bool odometry_of(const LaserScan& scan) noexcept { return scan.T_odom_robot && scan.T_odom_robot->is_finite(); }
+  static bool odometry_of(const LaserScan& scan) noexcept {
+    return scan.T_odom_robot && scan.T_odom_robot->is_finite();
+  }
 
   // How the time since the last scan compares to the interval before it. Stamps that stand still or run backwards
   // (the Intel log's do) tell nothing: then scans count as evenly spaced. A long gap is no reason to fly far.
@@ -95,7 +98,8 @@ void Localizer::State::match(const LaserScan& scan) {
   if (map) {
     fix.map = map;
     align_to_map(fix.predicted);
-    fix.pose = fix.match.stop == Stop::too_few_points || fix.match.stop == Stop::no_overlap ? fix.predicted : fix.match.pose;
+    fix.pose =
+        fix.match.stop == Stop::too_few_points || fix.match.stop == Stop::no_overlap ? fix.predicted : fix.match.pose;
   }
   prediction.remember(scan, fix.pose);
   if (scan_to_scan) take_scan_as_map();
@@ -142,7 +146,8 @@ Localizer::Localizer(Localizer&&) noexcept = default;
 Localizer& Localizer::operator=(Localizer&&) noexcept = default;
 
 void Localizer::set_pose(const Pose2& pose) {
-  if (!pose.is_finite()) throw Error("the pose is not finite", "Localizer::set_pose", "give x [m], y [m], heading [rad]");
+  if (!pose.is_finite())
+    throw Error("the pose is not finite", "Localizer::set_pose", "give x [m], y [m], heading [rad]");
   state_->fix.pose = {pose.x, pose.y, wrap_angle(pose.theta)};
   state_->prediction.forget();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+
 #include <slamicp/error.hpp>
 #include <slamicp/map/point_map.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -15,7 +16,8 @@ double cross(const Point2& a, const Point2& b) noexcept { return a.x() * b.y() -
 
 /// The convex hull, counter-clockwise (Andrew 1979, monotone chain).
 PointCloud2 convex_hull(PointView<2> points) {
-  PointCloud2 sorted(points.begin(), points.end());
+  PointCloud2 sorted;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(sorted), is_finite<2>);
   std::sort(sorted.begin(), sorted.end(),
             [](const Point2& a, const Point2& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
@@ -82,7 +84,9 @@ OrientedBox trimmed_box(const OrientedBox& box, PointView<2> points, double trim
   const auto extent = [&](const Point2& axis) {
     std::vector<double> places;
     places.reserve(points.size());
-    for (const Point2& point : points) places.push_back(axis.dot(point));
+    for (const Point2& point : points)
+      if (is_finite<2>(point)) places.push_back(axis.dot(point));
+    if (places.empty()) return std::pair(0.0, 0.0);
     std::sort(places.begin(), places.end());
     const auto outside = static_cast<std::size_t>(trim * static_cast<double>(places.size()));
     return std::pair(places[outside], places[places.size() - 1 - outside]);

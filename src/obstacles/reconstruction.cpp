@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
 
 #include <slamicp/error.hpp>
 #include <slamicp/obstacles/reconstruction.hpp>
@@ -8,31 +12,51 @@
 namespace slamicp {
 namespace {
 
-std::vector<char> well_supported(const PointCloud2& cloud, const KdTree<2>& tree,
-                                 const ReconstructionOptions& options) {
-  std::vector<char> keep(cloud.size());
-  std::vector<int> around;
-  for (std::size_t k = 0; k < cloud.size(); ++k) {
-    around.clear();
-    tree.within(cloud[k], options.filter_radius, around);
-    keep[k] = is_finite<2>(cloud[k]) && around.size() > static_cast<std::size_t>(options.filter_neighbours);
-  }
-  return keep;
+using Cell = std::pair<std::int64_t, std::int64_t>;
+using Cells = std::map<Cell, std::vector<int>>;
+
+bool well_supported(const PointCloud2& cloud, std::size_t k, const KdTree<2>& tree,
+                    const ReconstructionOptions& options, std::vector<Neighbour>& around) {
+  return is_finite<2>(cloud[k]) && tree.nearest_k(cloud[k], options.filter_radius, around) == around.size();
 }
 
-/// Everything that hangs together with `seed`, step by step no farther than the gap; taken out of `free`.
-std::vector<int> take_group(int seed, const PointCloud2& cloud, const KdTree<2>& tree, double gap,
-                            std::vector<char>& free) {
-  std::vector<int> group{seed};
-  std::vector<int> around;
-  free[static_cast<std::size_t>(seed)] = 0;
-  for (std::size_t next = 0; next < group.size(); ++next) {
-    around.clear();
-    tree.within(cloud[static_cast<std::size_t>(group[next])], gap, around);
-    for (const int k : around) {
-      if (!free[static_cast<std::size_t>(k)]) continue;
-      free[static_cast<std::size_t>(k)] = 0;
-      group.push_back(k);
+/// The points that pass the filter, in cells so small that the points of one surely belong together.
+Cells supported_cells(const PointCloud2& cloud, const ReconstructionOptions& options) {
+  const KdTree<2> tree(cloud);
+  const double side = options.gap / 1.4143;  // its diagonal is just below the gap
+  std::vector<Neighbour> around(static_cast<std::size_t>(options.filter_neighbours) + 1);  // itself, too
+  Cells cells;
+  for (std::size_t k = 0; k < cloud.size(); ++k) {
+    if (!well_supported(cloud, k, tree, options, around)) continue;
+    const Cell cell(std::llround(cloud[k].x() / side), std::llround(cloud[k].y() / side));
+    cells[cell].push_back(static_cast<int>(k));
+  }
+  return cells;
+}
+
+bool any_pair_within(const PointCloud2& cloud, const std::vector<int>& a, const std::vector<int>& b, double gap) {
+  for (const int i : a)
+    for (const int j : b)
+      if ((cloud[static_cast<std::size_t>(i)] - cloud[static_cast<std::size_t>(j)]).norm() < gap) return true;
+  return false;
+}
+
+/// Everything that hangs together with the first cell, step by step no farther than the gap; taken out of `cells`.
+std::vector<int> take_group(const PointCloud2& cloud, double gap, Cells& cells) {
+  constexpr std::int64_t reach = 2;  // cells that a gap can bridge
+  std::vector<Cells::node_type> taken;
+  taken.push_back(cells.extract(cells.begin()));
+  std::vector<int> group;
+  for (std::size_t next = 0; next < taken.size(); ++next) {
+    const Cell here = taken[next].key();
+    const std::vector<int> members = taken[next].mapped();
+    group.insert(group.end(), members.begin(), members.end());
+    for (std::int64_t dx = -reach; dx <= reach; ++dx) {
+      for (std::int64_t dy = -reach; dy <= reach; ++dy) {
+        const auto other = cells.find({here.first + dx, here.second + dy});
+        if (other != cells.end() && any_pair_within(cloud, members, other->second, gap))
+          taken.push_back(cells.extract(other));
+      }
     }
   }
   std::sort(group.begin(), group.end());
@@ -52,13 +76,11 @@ std::string ReconstructionOptions::problem() const {
 
 std::vector<Obstacle> reconstruct_obstacles(const PointCloud2& outliers, const ReconstructionOptions& options) {
   if (const std::string problem = options.problem(); !problem.empty()) throw Error(problem, "ReconstructionOptions");
-  const KdTree<2> tree(outliers);
-  std::vector<char> free = well_supported(outliers, tree, options);
+  Cells cells = supported_cells(outliers, options);
   std::vector<Obstacle> obstacles;
-  for (std::size_t k = 0; k < outliers.size(); ++k) {
-    if (!free[k]) continue;
+  while (!cells.empty()) {
     Obstacle obstacle;
-    obstacle.points = take_group(static_cast<int>(k), outliers, tree, options.gap, free);
+    obstacle.points = take_group(outliers, options.gap, cells);
     if (obstacle.points.size() < static_cast<std::size_t>(options.min_points)) continue;
     PointCloud2 members;
     members.reserve(obstacle.points.size());
@@ -66,8 +88,8 @@ std::vector<Obstacle> reconstruct_obstacles(const PointCloud2& outliers, const R
     obstacle.box = trimmed_box(smallest_box(members), members, options.trim);
     obstacles.push_back(std::move(obstacle));
   }
-  std::sort(obstacles.begin(), obstacles.end(),
-            [](const Obstacle& a, const Obstacle& b) { return a.points.size() > b.points.size(); });
+  std::stable_sort(obstacles.begin(), obstacles.end(),
+                   [](const Obstacle& a, const Obstacle& b) { return a.points.size() > b.points.size(); });
   return obstacles;
 }
 

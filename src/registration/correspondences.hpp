@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cmath>
-#include <slamicp/search/indexed_points.hpp>
 #include <vector>
+
+#include <slamicp/search/indexed_points.hpp>
 
 namespace slamicp {
 

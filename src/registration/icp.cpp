@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+
 #include <slamicp/error.hpp>
 #include <slamicp/registration/icp.hpp>
 
@@ -27,7 +28,9 @@ class Gate {
   bool is_final() const noexcept { return gate_ <= final_; }
 
   /// @param moved  how far the last step moved the scan's points [m]: what is left is unlikely to be more
-  void shrink(double moved) noexcept { gate_ = std::max(final_, std::min(gate_, std::max(shrinkage * gate_, 3.0 * moved))); }
+  void shrink(double moved) noexcept {
+    gate_ = std::max(final_, std::min(gate_, std::max(shrinkage * gate_, 3.0 * moved)));
+  }
 
  private:
   static constexpr double smallest = 0.05;  // [m], the noise of a lidar and a wall as thick as maps have them
@@ -38,24 +41,39 @@ class Gate {
   double final_;
 };
 
-/// Stops when the motion that is left, as the last two steps predict it, is below the tolerances.
+/// Stops when the motion that is left, as the last two steps predict it, is below the tolerances; or when the pose is
+/// back where it was two steps ago: then it flips for ever between two sets of pairs, and more steps bring nothing.
+template <int D>
 class StopRule {
  public:
-  explicit StopRule(const IcpOptions& options) noexcept
-      : translation_(options.translation_tolerance), rotation_(options.rotation_tolerance) {}
+  StopRule(const IcpOptions& options, const Pose<D>& guess) noexcept
+      : translation_(options.translation_tolerance),
+        rotation_(options.rotation_tolerance),
+        before_(guess),
+        now_(guess) {}
 
-  bool converged(const PoseDistance& step) noexcept {
-    const double size = std::max(step.translation / translation_, step.rotation / rotation_);
+  /// @param pose  after a step
+  bool converged(const Pose<D>& pose) noexcept {
+    const double step = size_of(distance(now_, pose));
+    const bool came_back = last_ > 0.0 && size_of(distance(before_, pose)) < 0.1;
     // Steps that shrink by a ratio q leave q / (1 - q) of the last one to go.
-    const double ratio = last_ > 0.0 ? std::min(size / last_, 0.999) : 0.5;
-    last_ = size;
-    return size * ratio / (1.0 - ratio) < 1.0;
+    const double ratio = last_ > 0.0 ? std::min(step / last_, 0.999) : 0.5;
+    before_ = now_;
+    now_ = pose;
+    last_ = step;
+    return came_back || step * ratio / (1.0 - ratio) < 1.0;
   }
 
  private:
+  double size_of(const PoseDistance& moved) const noexcept {
+    return std::max(moved.translation / translation_, moved.rotation / rotation_);
+  }
+
   double translation_;
   double rotation_;
-  double last_ = 0.0;
+  Pose<D> before_;  // two steps ago
+  Pose<D> now_;
+  double last_ = 0.0;  // the last step, in tolerances
 };
 
 }  // namespace
@@ -105,10 +123,11 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
     return;
   }
   Gate gate(options, map.spacing());
-  StopRule stop(options);
+  StopRule<D> stop(options, guess);
   const auto step_of = options.method == Method::point_to_point ? point_to_point_step<D> : point_to_surface_step<D>;
   while (true) {
-    const Step<D> step = step_of({map, scan, result.pose, gate.value(), options.kernel, options.kernel_scale}, correspondences);
+    const Step<D> step =
+        step_of({map, scan, result.pose, gate.value(), options.kernel, options.kernel_scale}, correspondences);
     result.pairs = step.pairs;
     ++result.iterations;
     if (step.pairs < fewest_points<D> || !step.pose.is_finite()) {
@@ -118,7 +137,7 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
     }
     const PoseDistance moved = distance(result.pose, step.pose);
     result.pose = step.pose;
-    if (stop.converged(moved) && gate.is_final()) {
+    if (stop.converged(result.pose) && gate.is_final()) {
       result.stop = step.degenerate ? Stop::degenerate : Stop::converged;
       return;
     }
@@ -241,7 +260,9 @@ IcpResult<D> align(const PointCloud<D>& source, const PointCloud<D>& target, con
 
 template class Icp<2>;
 template class Icp<3>;
-template IcpResult<2> align(const PointCloud<2>&, const PointCloud<2>&, const Pose<2>&, const IcpOptions&, const Outputs&);
-template IcpResult<3> align(const PointCloud<3>&, const PointCloud<3>&, const Pose<3>&, const IcpOptions&, const Outputs&);
+template IcpResult<2> align(const PointCloud<2>&, const PointCloud<2>&, const Pose<2>&, const IcpOptions&,
+                            const Outputs&);
+template IcpResult<3> align(const PointCloud<3>&, const PointCloud<3>&, const Pose<3>&, const IcpOptions&,
+                            const Outputs&);
 
 }  // namespace slamicp

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+
 #include <slamicp/registration/icp_options.hpp>
 
 namespace slamicp {

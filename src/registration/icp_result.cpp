@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
+
 #include <slamicp/registration/icp_result.hpp>
 
 namespace slamicp {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+
 #include <slamicp/scan/scan_points.hpp>
 
 namespace slamicp {

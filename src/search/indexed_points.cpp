@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+
 #include <slamicp/error.hpp>
 #include <slamicp/search/indexed_points.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+
 #include <slamicp/error.hpp>
 #include <slamicp/search/kd_tree.hpp>
 

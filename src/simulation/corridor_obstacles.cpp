@@ -11,7 +11,9 @@ PlacedObstacle box(const char* name, const Point2& centre, double heading) {
   return {name, {{centre, 0.480, 0.215, heading}}, {}};
 }
 
-PlacedObstacle cylinder(const char* name, const Point2& centre, double radius) { return {name, {}, {{centre, radius}}}; }
+PlacedObstacle cylinder(const char* name, const Point2& centre, double radius) {
+  return {name, {}, {{centre, radius}}};
+}
 
 PlacedObstacle two_cylinders(const char* name, const Point2& first, const Point2& second, double radius) {
   return {name, {}, {{first, radius}, {second, radius}}};

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <slamicp/geometry/point_cloud.hpp>
 #include <string>
+
+#include <slamicp/geometry/point_cloud.hpp>
 
 namespace slamicp {
 
@@ -53,7 +54,7 @@ struct Pose<3> {
   using Tangent = Vector<6>;
   using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 
-  Point3 position = Point3::Zero();                  ///< [m]
+  Point3 position = Point3::Zero();                 ///< [m]
   Quaternion orientation = Quaternion::Identity();  ///< unit length
 
   static Pose exp(const Tangent& tangent) noexcept;

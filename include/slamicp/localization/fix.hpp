@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include <slamicp/map/point_map.hpp>
 #include <slamicp/registration/icp_result.hpp>
 #include <slamicp/scan/scan_points.hpp>
-#include <string>
 
 namespace slamicp {
 
@@ -13,12 +14,14 @@ namespace slamicp {
 /// It keeps its map snapshot alive. A Localizer hands out a reference to its own Fix, good until the next update; copy
 /// it to keep it.
 struct Fix {
-  double stamp = 0.0;        ///< of the scan [s]
-  Pose2 pose;                ///< T_map_robot; the prediction where the match is not usable
-  Pose2 predicted;           ///< T_map_robot before the match, by odometry or constant velocity
-  ScanPoints scan;           ///< the returns that were used, in the robot's frame, and their beams
-  IcpResult2 match;          ///< indices count scan.in_robot
-  PointMap2::Pointer map;    ///< the snapshot that was matched against
+  double stamp = 0.0;  ///< of the scan [s]
+  /// T_map_robot; where nothing matched (no_overlap, too_few_points) the prediction. A blind direction of a degenerate
+  /// match keeps the prediction too.
+  Pose2 pose;
+  Pose2 predicted;         ///< T_map_robot before the match, by odometry or constant velocity
+  ScanPoints scan;         ///< the returns that were used, in the robot's frame, and their beams
+  IcpResult2 match;        ///< indices count scan.in_robot
+  PointMap2::Pointer map;  ///< the snapshot that was matched against
 
   Stop stop() const noexcept { return match.stop; }
   bool usable() const noexcept { return match.usable(); }

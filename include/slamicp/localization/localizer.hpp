@@ -3,10 +3,11 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+
 #include <slamicp/localization/fix.hpp>
 #include <slamicp/registration/icp_options.hpp>
 #include <slamicp/scan/laser_scan.hpp>
-#include <string>
 
 namespace slamicp {
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+
 #include <slamicp/registration/icp_result.hpp>
 #include <slamicp/search/indexed_points.hpp>
 

@@ -16,7 +16,8 @@ struct OrientedBox {
 };
 
 /// The rectangle of least area around the points: one of its sides lies on a side of their convex hull (Freeman,
-/// Shapira 1975). Zero sides where the points do not span them; all zero without points. O(n log n + hull^2).
+/// Shapira 1975). Zero sides where the points do not span them; all zero without points. Points that are not finite
+/// are left out. O(n log n + hull^2).
 OrientedBox smallest_box(PointView<2> points);
 
 /// The box with the heading of `box` that leaves the share `trim` of the points outside each of its sides.

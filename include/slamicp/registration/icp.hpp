@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+
 #include <slamicp/registration/icp_options.hpp>
 #include <slamicp/registration/icp_result.hpp>
 #include <slamicp/search/indexed_points.hpp>

@@ -2,15 +2,16 @@
 #pragma once
 
 #include <optional>
-#include <slamicp/registration/robust_kernel.hpp>
 #include <string>
+
+#include <slamicp/registration/robust_kernel.hpp>
 
 namespace slamicp {
 
 /// What a match makes small.
 enum class Method {
-  point_to_point,                   ///< distance to the nearest map point, eq. (3); solved in closed form
-  point_to_line,                    ///< distance to the map's line (2D) or plane (3D) there; Gauss-Newton
+  point_to_point,                  ///< distance to the nearest map point, eq. (3); solved in closed form
+  point_to_line,                   ///< distance to the map's line (2D) or plane (3D) there; Gauss-Newton
   point_to_plane = point_to_line,  ///< the same in 3D
 };
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <limits>
-#include <slamicp/geometry/pose.hpp>
 #include <string>
 #include <vector>
+
+#include <slamicp/geometry/pose.hpp>
 
 namespace slamicp {
 
@@ -33,7 +34,7 @@ inline bool is_outlier(PointClass c) noexcept { return c == PointClass::outlier 
 
 /// A scan point's nearest map point, at the final pose.
 struct Match {
-  int map_index = -1;  ///< -1: none closer than the larger of the two distances
+  int map_index = -1;                                         ///< -1: none closer than the larger of the two distances
   double distance = std::numeric_limits<double>::infinity();  ///< to that point [m]
   PointClass point_class = PointClass::neither;
 };
@@ -44,22 +45,23 @@ struct Match {
 /// distances as the options give them, for every method.
 template <int D>
 struct IcpResult {
-  Pose<D> pose;                        ///< T_map_robot (T_target_source): the paper's P
-  Stop stop = Stop::too_few_points;    ///< why it ended
-  int iterations = 0;                  ///< steps made: the paper's n
-  std::size_t pairs = 0;               ///< pairs that held the last step
-  std::size_t inliers = 0;             ///< with mean_inlier_distance or matches
-  double mean_inlier_distance = 0.0;   ///< [m], the paper's m_d; 0 without inliers
-  std::vector<int> outlier_indices;    ///< into the scan, rising: the paper's O_indx (counted from 0)
-  PointCloud<D> outliers_in_map;       ///< one for each index: the paper's O_coords
-  PointCloud<D> transformed_scan;      ///< one for each scan point: the paper's tT
-  PointCloud<D> updated_map;           ///< the paper's uM
-  std::vector<Match> matches;          ///< one for each scan point
+  Pose<D> pose;                       ///< T_map_robot (T_target_source): the paper's P
+  Stop stop = Stop::too_few_points;   ///< why it ended
+  int iterations = 0;                 ///< steps made: the paper's n
+  std::size_t pairs = 0;              ///< pairs that held the last step
+  std::size_t inliers = 0;            ///< with mean_inlier_distance or matches
+  double mean_inlier_distance = 0.0;  ///< [m], the paper's m_d; 0 without inliers
+  std::vector<int> outlier_indices;   ///< into the scan, rising: the paper's O_indx (counted from 0)
+  PointCloud<D> outliers_in_map;      ///< one for each index: the paper's O_coords
+  PointCloud<D> transformed_scan;     ///< one for each scan point: the paper's tT
+  PointCloud<D> updated_map;          ///< the paper's uM
+  std::vector<Match> matches;         ///< one for each scan point
 
-  std::size_t searches = 0;            ///< nearest-neighbour searches made for the pose
+  std::size_t searches = 0;              ///< nearest-neighbour searches made for the pose
   std::size_t searches_for_outputs = 0;  ///< made after the pose was final: only where a neighbour may have changed
 
-  /// True if the pose can be used: the match converged, or ran out of iterations while close to it.
+  /// True if the pose can be used: it was found from enough pairs, every direction held. A match that ran out of
+  /// iterations counts; `stop` tells it from one that converged.
   bool usable() const noexcept { return stop == Stop::converged || stop == Stop::max_iterations; }
 
   /// One line: stop reason, iterations, pose, and what was asked for.

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <optional>
-#include <slamicp/geometry/pose.hpp>
 #include <vector>
+
+#include <slamicp/geometry/pose.hpp>
 
 namespace slamicp {
 
@@ -13,13 +16,13 @@ namespace slamicp {
 /// counter-clockwise). A reading that is NaN, infinite, zero, below `range_min` or at or above `range_max` is
 /// no return.
 struct LaserScan {
-  double stamp = 0.0;            ///< when the scan was taken, in the clock of its log [s]
-  double angle_min = 0.0;        ///< direction of beam 0 [rad]
-  double angle_increment = 0.0;  ///< from one beam to the next [rad]
-  double range_min = 0.0;        ///< readings below are no returns [m]
-  double range_max = 1e9;        ///< readings at or above are no returns [m]
-  std::vector<float> ranges;     ///< [m]
-  Pose2 T_robot_laser;           ///< where the laser sits on the robot
+  double stamp = 0.0;                 ///< when the scan was taken, in the clock of its log [s]
+  double angle_min = 0.0;             ///< direction of beam 0 [rad]
+  double angle_increment = 0.0;       ///< from one beam to the next [rad]
+  double range_min = 0.0;             ///< readings below are no returns [m]
+  double range_max = 1e9;             ///< readings at or above are no returns [m]
+  std::vector<float> ranges;          ///< [m]
+  Pose2 T_robot_laser;                ///< where the laser sits on the robot
   std::optional<Pose2> T_odom_robot;  ///< the robot's pose by its wheels when the scan was taken, if known
 };
 
@@ -30,7 +33,11 @@ inline double field_of_view(const LaserScan& scan) noexcept {
 
 /// True where beam i came back.
 inline bool is_return(const LaserScan& scan, float range) noexcept {
-  return range > 0.0F && static_cast<double>(range) >= scan.range_min && static_cast<double>(range) < scan.range_max;
+  // Limits as floats, as the readings are: a reading of 5.6 m must not pass below a limit of 5.6 m by its rounding.
+  const auto limit = [](double metres) {
+    return static_cast<float>(std::min<double>(metres, std::numeric_limits<float>::max()));
+  };
+  return range > 0.0F && range >= limit(scan.range_min) && range < limit(scan.range_max);
 }
 
 }  // namespace slamicp

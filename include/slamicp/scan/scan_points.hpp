@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include <slamicp/geometry/point_cloud.hpp>
 #include <slamicp/scan/laser_scan.hpp>
-#include <vector>
 
 namespace slamicp {
 

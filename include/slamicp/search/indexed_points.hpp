@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+
 #include <slamicp/search/kd_tree.hpp>
 #include <slamicp/search/neighbour.hpp>
 #include <slamicp/search/surface.hpp>

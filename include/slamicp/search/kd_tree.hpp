@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <slamicp/geometry/point_cloud.hpp>
-#include <slamicp/search/neighbour.hpp>
 #include <span>
 #include <vector>
+
+#include <slamicp/geometry/point_cloud.hpp>
+#include <slamicp/search/neighbour.hpp>
 
 namespace slamicp {
 

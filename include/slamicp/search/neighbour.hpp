@@ -3,13 +3,14 @@
 
 #include <concepts>
 #include <limits>
+
 #include <slamicp/geometry/point_cloud.hpp>
 
 namespace slamicp {
 
 /// The answer to "which point is nearest, within reach?".
 struct Neighbour {
-  int index = -1;                                                      ///< which point; -1: none within reach
+  int index = -1;                                                     ///< which point; -1: none within reach
   double squared_distance = std::numeric_limits<double>::infinity();  ///< [m^2]
 
   bool found() const noexcept { return index >= 0; }
@@ -28,8 +29,10 @@ struct NearestTwo {
 /// A point at `reach` or beyond is not found. Points and queries that are not finite are never found.
 template <typename Index, int D>
 concept NearestNeighbourIndex = requires(const Index& index, const Point<D>& query, double reach) {
-  { index.nearest(query, reach) } noexcept -> std::same_as<Neighbour>;
-  { index.nearest_two(query, reach) } noexcept -> std::same_as<NearestTwo>;
+  { index.nearest(query, reach) }
+  noexcept->std::same_as<Neighbour>;
+  { index.nearest_two(query, reach) }
+  noexcept->std::same_as<NearestTwo>;
 };
 
 }  // namespace slamicp

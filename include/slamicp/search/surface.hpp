@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <slamicp/geometry/point_cloud.hpp>
 #include <vector>
+
+#include <slamicp/geometry/point_cloud.hpp>
 
 namespace slamicp {
 
@@ -29,7 +30,8 @@ struct SurfaceOptions {
   /// Neighbours farther than this do not take part [m]. Too large rounds off door jambs in a thin map, too small
   /// leaves points without a surface.
   double radius = 0.5;
-  /// With fewer neighbours than this within `radius` a point has no surface. At least 3 in 2D, 4 in 3D.
+  /// With fewer neighbours than this within `radius` (in 3D fewer than 4) a point has no surface. At least 3, at most
+  /// `neighbours`.
   int min_neighbours = 5;
   /// Threads to use; the result is the same for any number. At least 1.
   int threads = 1;

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fuzz.hpp"
+#include "io/cloud_formats.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return slamicp::fuzz::run(data, size, [](std::string_view bytes) { slamicp::parse_xyz(bytes, "fuzz"); });
+}

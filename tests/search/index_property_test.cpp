@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <slamicp/search/indexed_points.hpp>
+
+#include "support/brute_force.hpp"
+#include "support/clouds.hpp"
+
+namespace slamicp {
+namespace {
+
+using test::Random;
+
+/// A query near the cloud, on it, or no number.
+template <int D>
+Point<D> any_query(Random& random, const PointCloud<D>& cloud, const Point<D>& center) {
+  Point<D> query = center + random.point<D>(2.5);
+  const int kind = random.integer(0, 9);
+  if (kind < 3 && !cloud.empty()) {
+    const Point<D>& point = cloud[static_cast<std::size_t>(random.integer(0, static_cast<int>(cloud.size()) - 1))];
+    query = kind == 0 ? point : point + random.point<D>(0.05);
+  } else if (kind == 3) {
+    query = center + (20.0 * random.point<D>(1.0)).array().round().matrix() * 0.05;  // between lattice points: ties
+  } else if (kind == 4 && random.chance(0.1)) {
+    query[0] = random.chance(0.5) ? test::nan : -test::infinity;
+  }
+  return query;
+}
+
+template <int D, typename Index>
+void expect_brute_force(const Index& index, const PointCloud<D>& cloud, const Point<D>& query, double reach,
+                        std::size_t k) {
+  const std::vector<Neighbour> all = test::all_within<D>(cloud, query, reach);
+
+  const Neighbour nearest = index.nearest(query, reach);
+  ASSERT_EQ(nearest.index, all.empty() ? -1 : all[0].index);
+  ASSERT_EQ(nearest.squared_distance, all.empty() ? test::infinity : all[0].squared_distance);
+
+  const NearestTwo two = index.nearest_two(query, reach);
+  ASSERT_EQ(two.nearest.index, nearest.index);
+  ASSERT_EQ(two.nearest.squared_distance, nearest.squared_distance);
+  // Valid, and as tight as it can be: the second nearest, or the reach.
+  ASSERT_EQ(two.others_squared_distance, all.size() > 1 ? all[1].squared_distance : reach * reach);
+
+  std::vector<Neighbour> found(k);
+  ASSERT_EQ(index.nearest_k(query, reach, found), std::min(k, all.size()));
+  for (std::size_t j = 0; j < std::min(k, all.size()); ++j) {
+    ASSERT_EQ(found[j].index, all[j].index);
+    ASSERT_EQ(found[j].squared_distance, all[j].squared_distance);
+  }
+
+  std::vector<int> within{-7};  // it appends
+  index.within(query, reach, within);
+  ASSERT_EQ(within[0], -7);
+  std::sort(within.begin() + 1, within.end());
+  std::vector<int> expected{-7};
+  for (const Neighbour& one : all) expected.push_back(one.index);
+  std::sort(expected.begin() + 1, expected.end());
+  ASSERT_EQ(within, expected);
+}
+
+template <typename Dimension>
+class IndexPropertyTest : public ::testing::Test {};
+using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(IndexPropertyTest, Dimensions);
+
+TYPED_TEST(IndexPropertyTest, KdTreeIsBruteForce) {
+  constexpr int D = TypeParam::value;
+  for (int seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(static_cast<std::uint64_t>(seed));
+    const Point<D> center = random.point<D>(random.chance(0.5) ? 0.0 : 500.0);
+    const PointCloud<D> cloud = test::unkind_cloud<D>(random, random.integer(0, 300), center);
+    const KdTree<D> tree(cloud);
+    for (int k = 0; k < 60; ++k)
+      ASSERT_NO_FATAL_FAILURE(expect_brute_force<D>(tree, cloud, any_query<D>(random, cloud, center),
+                                                    random.chance(0.1) ? 1e9 : random.uniform(0.0, 1.5),
+                                                    static_cast<std::size_t>(random.integer(0, 25))));
+  }
+}
+
+TYPED_TEST(IndexPropertyTest, IndexedPointsAreBruteForceHoweverTheyGrew) {
+  constexpr int D = TypeParam::value;
+  for (int seed = 0; seed < 150; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(static_cast<std::uint64_t>(seed));
+    const Point<D> center = random.point<D>(random.chance(0.5) ? 0.0 : 500.0);
+    PointCloud<D> cloud = test::unkind_cloud<D>(random, random.integer(0, 100), center);
+    IndexedPoints<D> index(cloud, {.neighbours = 0});
+    const int growths = random.integer(0, 20);
+    for (int growth = 0; growth < growths; ++growth) {
+      const PointCloud<D> more = test::unkind_cloud<D>(random, random.integer(0, random.chance(0.2) ? 80 : 6), center);
+      index = index.with_added(more);
+      cloud.insert(cloud.end(), more.begin(), more.end());
+      ASSERT_EQ(index.size(), cloud.size());
+    }
+    for (int k = 0; k < 60; ++k)
+      ASSERT_NO_FATAL_FAILURE(expect_brute_force<D>(index, cloud, any_query<D>(random, cloud, center),
+                                                    random.chance(0.1) ? 1e9 : random.uniform(0.0, 1.5),
+                                                    static_cast<std::size_t>(random.integer(0, 25))));
+  }
+}
+
+TYPED_TEST(IndexPropertyTest, TiesGoToTheLowerIndexWhateverTheRounding) {
+  // Points on a line, coordinates and queries that do not square exactly: the box of a far subtree must never round to
+  // beyond a point in it. Every coordinate stands there many times over.
+  constexpr int D = TypeParam::value;
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(static_cast<std::uint64_t>(seed));
+    PointCloud<D> cloud;
+    std::vector<double> places;
+    for (int k = 0; k < 6; ++k) places.push_back(random.uniform(-1.0, 1.0));
+    for (int k = 0; k < 120; ++k) {
+      Point<D> point = Point<D>::Constant(0.3);
+      point[0] = places[static_cast<std::size_t>(random.integer(0, 5))];
+      if (random.chance(0.3)) point[D - 1] = places[static_cast<std::size_t>(random.integer(0, 5))];
+      cloud.push_back(point);
+    }
+    const KdTree<D> tree(cloud);
+    for (int k = 0; k < 60; ++k) {
+      Point<D> query = Point<D>::Constant(0.3);
+      query[0] = random.uniform(-1.0, 1.0);
+      ASSERT_NO_FATAL_FAILURE(
+          expect_brute_force<D>(tree, cloud, query, 5.0, static_cast<std::size_t>(random.integer(1, 100))));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace slamicp
