@@ -27,9 +27,9 @@ class Gate {
   double value() const noexcept { return gate_; }
   bool is_final() const noexcept { return gate_ <= final_; }
 
-  /// @param moved  how far the last step moved the scan's points [m]: what is left is unlikely to be more
-  void shrink(double moved) noexcept {
-    gate_ = std::max(final_, std::min(gate_, std::max(shrinkage * gate_, 3.0 * moved)));
+  /// @param left  how far the scan's points may still have to move [m]
+  void shrink(double left) noexcept {
+    gate_ = std::max(final_, std::min(gate_, std::max(shrinkage * gate_, 3.0 * left)));
   }
 
  private:
@@ -41,28 +41,30 @@ class Gate {
   double final_;
 };
 
-/// Stops when the motion that is left, as the last two steps predict it, is below the tolerances; or when the pose is
-/// back where it was two steps ago: then it flips for ever between two sets of pairs, and more steps bring nothing.
+/// Watches the steps: how much motion is left, and whether it is little enough to stop.
 template <int D>
-class StopRule {
+class Convergence {
  public:
-  StopRule(const IcpOptions& options, const Pose<D>& guess) noexcept
+  Convergence(const IcpOptions& options, const Pose<D>& guess) noexcept
       : translation_(options.translation_tolerance),
         rotation_(options.rotation_tolerance),
         before_(guess),
         now_(guess) {}
 
-  /// @param pose  after a step
-  bool converged(const Pose<D>& pose) noexcept {
+  /// @param pose  after another step
+  void step_to(const Pose<D>& pose) noexcept {
     const double step = size_of(distance(now_, pose));
-    const bool came_back = last_ > 0.0 && size_of(distance(before_, pose)) < 0.1;
-    // Steps that shrink by a ratio q leave q / (1 - q) of the last one to go.
-    const double ratio = last_ > 0.0 ? std::min(step / last_, 0.999) : 0.5;
+    if (last_ > 0.0) ratio_ = std::min(step / last_, 0.999);
+    // Back where it was two steps ago: it flips for ever between two sets of pairs, and more steps bring nothing.
+    came_back_ = last_ > 0.0 && size_of(distance(before_, pose)) < 0.1;
     before_ = now_;
     now_ = pose;
     last_ = step;
-    return came_back || step * ratio / (1.0 - ratio) < 1.0;
   }
+
+  /// Steps that shrink by a ratio q leave q / (1 - q) of the last one to go.
+  double left_of_last_step() const noexcept { return ratio_ / (1.0 - ratio_); }
+  bool reached() const noexcept { return came_back_ || last_ * left_of_last_step() < 1.0; }
 
  private:
   double size_of(const PoseDistance& moved) const noexcept {
@@ -71,9 +73,11 @@ class StopRule {
 
   double translation_;
   double rotation_;
-  Pose<D> before_;  // two steps ago
+  double ratio_ = 0.5;  // what steps shrink by; a guess until two of them tell
+  Pose<D> before_;      // two steps ago
   Pose<D> now_;
   double last_ = 0.0;  // the last step, in tolerances
+  bool came_back_ = false;
 };
 
 }  // namespace
@@ -123,7 +127,7 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
     return;
   }
   Gate gate(options, map.spacing());
-  StopRule<D> stop(options, guess);
+  Convergence<D> convergence(options, guess);
   const auto step_of = options.method == Method::point_to_point ? point_to_point_step<D> : point_to_surface_step<D>;
   while (true) {
     const Step<D> step =
@@ -137,7 +141,8 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
     }
     const PoseDistance moved = distance(result.pose, step.pose);
     result.pose = step.pose;
-    if (stop.converged(result.pose) && gate.is_final()) {
+    convergence.step_to(result.pose);
+    if (convergence.reached() && gate.is_final()) {
       result.stop = step.degenerate ? Stop::degenerate : Stop::converged;
       return;
     }
@@ -145,7 +150,10 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
       result.stop = step.degenerate ? Stop::degenerate : Stop::max_iterations;
       return;
     }
-    gate.shrink(moved.translation + step.reach * moved.rotation);
+    // Point to point creeps along walls, in steps that say little of what is left: its gate waits until it stands
+    // still.
+    if (options.method == Method::point_to_point && !convergence.reached()) continue;
+    gate.shrink((moved.translation + step.reach * moved.rotation) * std::max(1.0, convergence.left_of_last_step()));
   }
 }
 
