@@ -36,7 +36,7 @@ SimulatedRun drive_through(const World& world, const char* way, const DriveOptio
 PointMap2::Pointer explore(const SimulatedRun& run, Trajectory& estimate) {
   MapperOptions options;
   options.initial_pose = run.truth.front().pose;  // so that the map's frame is the world's, and errors can be told
-  options.insertion_distance = 0.015;             // a fine map, about 10,000 points
+  options.insertion_distance = 0.012;  // a fine map, about 10,000 points
   options.keyframe_distance = 0.5;
   Mapper mapper(options);
   Progress progress("mapping", run.scans.size());
@@ -45,7 +45,7 @@ PointMap2::Pointer explore(const SimulatedRun& run, Trajectory& estimate) {
     progress.step();
   }
   estimate = mapper.trajectory();
-  return mapper.map();
+  return mapper.refined_map();
 }
 
 RunRecord localize(const SimulatedRun& run, const PointMap2::Pointer& map, const Pose2& start) {

@@ -28,10 +28,13 @@ void add_help(CLI::App& program) {
   help->allow_extras(false);
   help->callback([&program, help] {
     const auto words = help->get_option("VERB")->results();
-    if (words.empty()) throw CLI::CallForHelp();
+    if (words.empty()) {
+      std::cout << program.get_formatter()->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal);
+      return;
+    }
     const auto named = [&](const CLI::App* verb) { return verb->get_name() == words.front(); };
     for (const CLI::App* verb : std::as_const(program).get_subcommands(named)) {
-      std::cout << verb->help("slamicp " + verb->get_name());
+      std::cout << verb->help("slamicp");
       return;
     }
     throw CLI::ValidationError("VERB", "there is no verb '" + words.front() + "'; slamicp --help lists them");

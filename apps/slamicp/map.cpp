@@ -21,6 +21,7 @@ struct Words {
   MatchOptions match;
   MapperOptions mapper;
   bool all_points = false;
+  bool raw = false;
 };
 
 MapperOptions mapper_options(const Words& words) {
@@ -34,9 +35,9 @@ MapperOptions mapper_options(const Words& words) {
   return options;
 }
 
-void draw(const Words& words, const Mapper& mapper) {
+void draw(const Words& words, const Mapper& mapper, const PointMap2& map) {
   Picture picture({.title = "map of " + words.log});
-  picture.points(mapper.map()->points(), colours::map, 1.0, std::to_string(mapper.map()->size()) + " map points");
+  picture.points(map.points(), colours::map, 1.0, std::to_string(map.size()) + " map points");
   picture.path(mapper.trajectory(), colours::path, 1.2, "path");
   picture.robot(mapper.trajectory().back().pose, 0.25, colours::robot, "robot at the end");
   picture.save(words.picture);
@@ -58,21 +59,22 @@ void run(const Words& words) {
   if (!mapper.map())
     throw Error("no scan has a return within the ranges", words.log, "raise --max-range, or see 'slamicp info'");
 
-  save_map(words.out, *mapper.map());
+  const PointMap2::Pointer map = words.raw ? mapper.map() : mapper.refined_map();
+  save_map(words.out, *map);
   if (!words.trajectory.empty()) save_trajectory(words.trajectory, mapper.trajectory());
-  if (!words.picture.empty()) draw(words, mapper);
+  if (!words.picture.empty()) draw(words, mapper, *map);
   write_json(words.json, {{"verb", "map"},
                           {"log", words.log},
                           {"map", words.out},
                           {"scans", log.size()},
-                          {"map_points", mapper.map()->size()},
+                          {"map_points", map->size()},
                           {"keyframes", mapper.keyframes()},
                           {"unmatched_scans", mapper.unmatched()},
                           {"seconds", seconds},
                           {"last_pose", to_json(mapper.trajectory().back().pose)}});
   const Talk talk(words.json);
   talk(format("%zu scans, %d of them added to the map, %d unmatched; %zu map points in %.1f s -> %s", log.size(),
-              mapper.keyframes(), mapper.unmatched(), mapper.map()->size(), seconds, words.out.c_str()));
+              mapper.keyframes(), mapper.unmatched(), map->size(), seconds, words.out.c_str()));
 }
 
 }  // namespace
@@ -94,8 +96,14 @@ void add_map(CLI::App& program) {
   verb->add_option("--keyframe-distance", words->mapper.keyframe_distance, "the map grows after moving this far [m]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  verb->add_option("--guess-share", words->mapper.guess_share,
+                   "how much the prediction itself counts, as a share of the pairs: keeps corridors from sliding")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
   verb->add_flag("--all-points", words->all_points,
                  "add every point instead of outliers only (the paper's Figure 7b), for comparison");
+  verb->add_flag("--raw", words->raw,
+                 "the map as it grew; default: points moved to the mean of what was seen of them, noise left out");
   add_log_options(*verb, words->reading);
   add_config(*verb);
   add_json(*verb, words->json);

@@ -15,6 +15,7 @@ IcpOptions LocalizerOptions::icp() const noexcept {
   icp.max_iterations = max_iterations;
   icp.kernel = kernel;
   icp.kernel_scale = kernel_scale;
+  icp.guess_share = guess_share;
   icp.final_gate = final_gate;
   return icp;
 }

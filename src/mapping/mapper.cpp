@@ -4,6 +4,8 @@
 #include <slamicp/error.hpp>
 #include <slamicp/mapping/mapper.hpp>
 
+#include "mapping/map_refinement.hpp"
+
 namespace slamicp {
 namespace {
 
@@ -15,10 +17,12 @@ LocalizerOptions localizer_options(const MapperOptions& options) {
   localizer.method = options.method;
   localizer.max_iterations = options.max_iterations;
   localizer.final_gate = std::min(options.final_gate, options.max_correspondence_distance);
+  localizer.guess_share = options.guess_share;
   localizer.ranges = options.ranges;
   localizer.outputs = {.mean_inlier_distance = true,
                        .outliers_in_map = true,
-                       .transformed_scan = options.update == MapUpdate::all_points};
+                       .transformed_scan = options.update == MapUpdate::all_points,
+                       .matches = options.update == MapUpdate::outliers};
   return localizer;
 }
 
@@ -42,11 +46,24 @@ std::string MapperOptions::problem() const {
   IcpOptions icp;
   icp.max_correspondence_distance = max_correspondence_distance;
   icp.max_iterations = max_iterations;
+  icp.guess_share = guess_share;
   return icp.problem();
 }
 
-Mapper::Mapper(const MapperOptions& options) : options_(options), localizer_(localizer_options(options)) {
+Mapper::Mapper(const MapperOptions& options)
+    : options_(options),
+      localizer_(localizer_options(options)),
+      refinement_(std::make_unique<MapRefinement>(options.insertion_distance)) {
   localizer_.set_pose(options.initial_pose);
+}
+
+Mapper::~Mapper() = default;
+Mapper::Mapper(Mapper&&) noexcept = default;
+Mapper& Mapper::operator=(Mapper&&) noexcept = default;
+
+PointMap2::Pointer Mapper::refined_map() const {
+  if (!map() || options_.update == MapUpdate::all_points) return map();
+  return PointMap2::create(refinement_->refined(*map()), options_.surfaces);
 }
 
 const Fix& Mapper::add(const LaserScan& scan) {
@@ -79,6 +96,7 @@ void Mapper::grow(const Fix& fix) {
   } else if (options_.update == MapUpdate::all_points) {
     localizer_.set_map(update_with_all_points<2>(map(), fix.match));
   } else {
+    refinement_->count(fix);
     localizer_.set_map(update_with_outliers<2>(map(), fix.match));
   }
 }

@@ -130,8 +130,9 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
   Convergence<D> convergence(options, guess);
   const auto step_of = options.method == Method::point_to_point ? point_to_point_step<D> : point_to_surface_step<D>;
   while (true) {
-    const Step<D> step =
-        step_of({map, scan, result.pose, gate.value(), options.kernel, options.kernel_scale}, correspondences);
+    const Step<D> step = step_of(
+        {map, scan, result.pose, gate.value(), options.kernel, options.kernel_scale, guess, options.guess_share},
+        correspondences);
     result.pairs = step.pairs;
     ++result.iterations;
     if (step.pairs < fewest_points<D> || !step.pose.is_finite()) {

@@ -19,6 +19,7 @@ std::string IcpOptions::problem() const {
   if (!is_length(kernel_scale)) return "kernel_scale must be a length above 0 m; 0.05 m is the default";
   if (!(final_gate >= 0.0) || final_gate > max_correspondence_distance)
     return "final_gate must lie between 0 (from the map) and max_correspondence_distance";
+  if (!(guess_share >= 0.0 && guess_share <= 1.0)) return "guess_share must lie between 0 (not at all) and 1";
   if (!is_length(translation_tolerance)) return "translation_tolerance must be above 0 m; 1e-4 is the default";
   if (!is_length(rotation_tolerance)) return "rotation_tolerance must be above 0 rad; 1e-4 is the default";
   return {};

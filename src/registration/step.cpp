@@ -143,6 +143,13 @@ Step<D> point_to_surface_step(const StepInput<D>& input, Correspondences<D>& cor
     step.degenerate = true;
     return step;
   }
+  if (input.guess_share > 0.0) {
+    // The guess as pairs: a pull back to it, in every direction alike; a turn counts by what it moves at the reach.
+    typename Pose<D>::Tangent weight = Pose<D>::Tangent::Constant(input.guess_share * static_cast<double>(step.pairs));
+    weight.template tail<n - D>() *= step.reach * step.reach;
+    information += Matrix<n, n>(weight.asDiagonal());
+    gradient += weight.cwiseProduct((input.pose.inverse() * input.guess).log());
+  }
   const auto motion = solve<D>(information, gradient, std::max(step.reach, 1e-6), step.degenerate);
   step.pose = input.pose * Pose<D>::exp(motion);
   return step;

@@ -17,6 +17,8 @@ struct StepInput {
   double gate;  // pairs at least this far apart take no part [m]
   RobustKernel kernel;
   double kernel_scale;
+  const Pose<D>& guess;
+  double guess_share;  // of the pairs, that hold the guess
 };
 
 template <int D>

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
 """slamicp convert, align and info on clouds."""
-import itertools
 import math
 import random
 import unittest
@@ -17,7 +16,7 @@ def room_2d(seed=1):
     draw = random.Random(seed)
     corners = [(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (4.0, 2.0), (4.0, 4.5), (0.0, 4.5), (0.0, 0.0)]
     points = []
-    for (ax, ay), (bx, by) in itertools.pairwise(corners) if hasattr(itertools, "pairwise") else zip(corners, corners[1:]):
+    for (ax, ay), (bx, by) in zip(corners, corners[1:]):
         for _ in range(int(100 * math.hypot(bx - ax, by - ay))):
             share = draw.random()
             points.append((ax + share * (bx - ax), ay + share * (by - ay)))
@@ -28,7 +27,7 @@ def corner_3d(seed=2):
     """Three walls of a room and a slope in it."""
     draw = random.Random(seed)
     points = []
-    for _ in range(800):
+    for _ in range(2500):
         u, v = 4.0 * draw.random(), 3.0 * draw.random()
         points += [(u, v, 0.0), (u, 0.0, v), (0.0, u, v), (2.0 + 0.4 * u, 1.0 + 0.3 * v, 0.5 * v)]
     return points
@@ -72,7 +71,8 @@ class Align(CommandTest):
         self.write("source.csv", csv_text(source))
         self.done("convert", "source.csv", "source.ply")
         self.done("convert", "target.csv", "target.pcd")
-        for method in ("point-to-plane", "point-to-point"):
+        # Planes go through the centroids of points some 4 cm apart, and so cut the room's edges a little.
+        for method, tolerance in (("point-to-plane", 5e-3), ("point-to-point", 1e-3)):
             with self.subTest(method=method):
                 told = self.summary("align", "source.ply", "target.pcd", "--method", method, "--transform", "T.txt",
                                     "--max-iterations", "300")
@@ -80,9 +80,9 @@ class Align(CommandTest):
                 rows = self.numbers("T.txt")
                 self.assertEqual(len(rows), 4)
                 for r in range(3):
-                    self.assertAlmostEqual(rows[r][3], translation[r], delta=2e-3)
+                    self.assertAlmostEqual(rows[r][3], translation[r], delta=tolerance)
                     for c in range(3):
-                        self.assertAlmostEqual(rows[r][c], rotation[r][c], delta=2e-3)
+                        self.assertAlmostEqual(rows[r][c], rotation[r][c], delta=tolerance)
                 self.assertEqual(rows[3], [0.0, 0.0, 0.0, 1.0])
 
     def test_an_initial_pose_bridges_what_is_far(self):

@@ -19,6 +19,7 @@ struct LocalizerOptions {
   int max_iterations = 50;
   RobustKernel kernel = RobustKernel::none;
   double kernel_scale = 0.05;  ///< [m]
+  double guess_share = 0.0;    ///< how much the prediction itself counts, see IcpOptions
   double final_gate = 0.0;     ///< [m]; 0: from the map
   RangeFilter ranges{};        ///< readings to leave out
   /// What to compute for each fix besides the pose. Per-point matches cost a distance a point.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include <slamicp/geometry/trajectory.hpp>
@@ -26,18 +27,23 @@ struct MapperOptions {
   /// ... or turned this far [rad] since it last grew.
   double keyframe_turn = 0.17;
   /// T_map_robot at the first scan: it fixes the map's frame.
-  Pose2 initial_pose;
+  Pose2 initial_pose = {};
   MapUpdate update = MapUpdate::outliers;
   Method method = Method::point_to_line;
   int max_iterations = 60;
   /// The solver's last gate [m]: wider than for a finished map, whose walls are known better.
   double final_gate = 0.15;
-  RangeFilter ranges;       ///< readings to leave out
-  SurfaceOptions surfaces;  ///< of the map
+  /// How much the prediction itself counts, as a share of the pairs, see IcpOptions: while little is mapped, a corridor
+  /// must not slide.
+  double guess_share = 0.05;
+  RangeFilter ranges = {};       ///< readings to leave out
+  SurfaceOptions surfaces = {};  ///< of the map
 
   /// The first rule broken, in words a user can act on; empty if none.
   std::string problem() const;
 };
+
+class MapRefinement;
 
 /// Builds a map while localizing in it: simultaneous localization and mapping by scan matching alone, without
 /// loop closure (the paper, sections 2.3 and 3.2).
@@ -48,12 +54,19 @@ class Mapper {
  public:
   /// Throws Error with options.problem().
   explicit Mapper(const MapperOptions& options = {});
+  ~Mapper();
+  Mapper(Mapper&&) noexcept;
+  Mapper& operator=(Mapper&&) noexcept;
 
   /// Takes the next scan, in the order of the log. The Fix is good until the next call.
   const Fix& add(const LaserScan& scan);
 
   /// The map so far; null before the first scan that has points.
   const PointMap2::Pointer& map() const noexcept { return localizer_.map(); }
+  /// The map to keep, once the log is done: each point moved to the mean of what later scans saw of it, without the
+  /// points that noise has left beside the walls. Null before the first scan that has points. O(n log n).
+  PointMap2::Pointer refined_map() const;
+
   /// T_map_robot of every scan, in the order they came.
   const Trajectory& trajectory() const noexcept { return trajectory_; }
   /// Times the map grew.
@@ -67,6 +80,7 @@ class Mapper {
 
   MapperOptions options_;
   Localizer localizer_;
+  std::unique_ptr<MapRefinement> refinement_;
   Trajectory trajectory_;
   Pose2 last_keyframe_;
   int keyframes_ = 0;

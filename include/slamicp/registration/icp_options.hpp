@@ -40,6 +40,11 @@ struct IcpOptions {
   /// away good pairs. Equal to max_correspondence_distance: the gate stays (the paper's way).
   double final_gate = 0.0;
 
+  /// How much the guess itself counts, as a share of the pairs: point to line then solves as if so many pairs held the
+  /// guess in every direction. It keeps a direction that the pairs hardly hold (along a corridor) where the guess has it,
+  /// and costs that share of the correction elsewhere. 0: not at all. In [0, 1].
+  double guess_share = 0.0;
+
   /// The match has converged when what is left to move is predicted to be below these. Smaller costs iterations.
   double translation_tolerance = 1e-4;  ///< [m], above 0
   double rotation_tolerance = 1e-4;     ///< [rad], above 0

@@ -1,0 +1,98 @@
+# shellcheck shell=bash disable=SC2034  # what is unused here is used by the scripts
+# What the scripts share; they source it from the project's root.
+
+PATH="$PATH:/usr/local/sbin:/usr/sbin:/sbin"  # dpkg's helpers live there
+jobs=$(nproc)
+
+say() { printf '%s\n' "$*"; }
+complain() { printf '%s\n' "$*" >&2; }
+
+# What each task needs: Debian's package name, and why.
+needs_for_build="
+g++                  the compiler
+cmake                configures the build
+ninja-build          runs the build
+pkg-config           finds Cairo
+libeigen3-dev        linear algebra, all that the core needs
+libcairo2-dev        pictures, SVG and PNG
+libcli11-dev         the command line
+nlohmann-json3-dev   --json summaries
+libyaml-cpp-dev      --config files
+"
+needs_for_tests="
+libgtest-dev         unit tests
+librapidcheck-dev    property tests
+python3              the test of the include graph
+ccache               saves compiling the same twice
+"
+needs_for_clang="
+clang                the second compiler
+libclang-rt-14-dev   its fuzzer and sanitizers
+"
+needs_for_tidy="
+clang                headers for clang-tidy
+clang-tidy           static analysis
+clang-format         layout of the sources
+git                  which files have changed
+"
+
+missing_of() {
+  local package _reason
+  while read -r package _reason; do
+    [[ -z $package ]] && continue
+    [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || say "$package"
+  done <<<"$1"
+}
+
+# need "NAME  REASON...": installs the packages named, where they are not there yet. Returns 1 where it cannot.
+need() {
+  local missing package root=()
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    complain "There is no apt-get here. Please see to it that these are installed (Debian's names):$1"
+    return 1
+  fi
+  missing=$(missing_of "$1")
+  [[ -z $missing ]] && return 0
+
+  for package in $missing; do
+    say "installing $(grep -E "^${package//+/\\+} " <<<"$1")"
+  done
+  if [[ $(id -u) != 0 ]]; then
+    if ! command -v sudo >/dev/null; then
+      complain "Only root may install. Please run: apt-get install ${missing//$'\n'/ }"
+      return 1
+    fi
+    root=(sudo)
+  fi
+  local apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300)
+  "${apt[@]}" update </dev/null || true
+  # shellcheck disable=SC2086  # one word a package
+  "${apt[@]}" install -y --no-install-recommends $missing </dev/null >/dev/null
+}
+
+# configure_release [CMAKE_OPTION...]: the first time without tests, which need more packages; scripts/test turns
+# them on, and then they stay on.
+# shellcheck disable=SC2120
+configure_release() {
+  local first=()
+  [[ -f build/release/CMakeCache.txt ]] || first=(-DSLAMICP_BUILD_TESTS=OFF)
+  configure release "${first[@]}" "$@"
+}
+
+# configure PRESET [CMAKE_OPTION...]: quiet, unless it fails.
+configure() {
+  local log=build/$1-configure.log
+  mkdir -p build
+  if ! cmake --preset "$@" >"$log" 2>&1; then
+    cat "$log" >&2
+    return 1
+  fi
+  grep -A5 -i warning "$log" >&2 || true
+}
+
+# build PRESET [TARGET...]
+build() {
+  local preset=$1
+  shift
+  cmake --build --preset "$preset" --parallel "$jobs" ${1:+--target "$@"}
+}
