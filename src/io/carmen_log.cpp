@@ -41,7 +41,7 @@ std::vector<CarmenScan> read_messages(std::string_view text, const std::string& 
   while (lines.next()) {
     text::Tokens tokens(lines.line());
     std::string_view kind;
-    if (!tokens.next(kind) || kind.front() == '#') continue;
+    if (!tokens.next(kind) || kind.starts_with('#')) continue;
     try {
       if (kind == flaser)
         scans.push_back(parse_flaser(tokens, lines));

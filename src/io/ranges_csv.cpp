@@ -61,7 +61,7 @@ ScanLog parse_ranges_csv(std::string_view text, const std::string& name, const S
   std::size_t beams = 0;
   text::Lines lines(text, name);
   while (lines.next()) {
-    if (lines.line().find_first_not_of(" \t") == std::string_view::npos || lines.line().front() == '#') continue;
+    if (lines.line().find_first_not_of(" \t") == std::string_view::npos || lines.line().starts_with('#')) continue;
     Row row = read_row(lines.line(), beams);
     const std::size_t count = row.ranges.size();
     if (beams != 0 && count < beams && is_last(lines, text) && (row.problem.empty() || lines.cut())) {
