@@ -136,15 +136,15 @@ std::vector<Mapped> build_maps(const ScanLog& log, std::size_t scans) {
     const Stopwatch watch;
     const Mapper mapper = run_mapper(options, log, scans);
     const std::string name = text("outliers only, from %.2f m", distance);
-    maps.push_back({name, mapper.map()->points(), mapper.trajectory(), watch.seconds()});
+    maps.push_back({name, to_cloud<2>(mapper.map()->points()), mapper.trajectory(), watch.seconds()});
     if (distance == usual)
-      maps.push_back({name + ", refined", mapper.refined_map()->points(), mapper.trajectory(), watch.seconds()});
+      maps.push_back({name + ", refined", to_cloud<2>(mapper.refined_map()->points()), mapper.trajectory(), watch.seconds()});
   }
   MapperOptions options;
   options.update = MapUpdate::all_points;
   const Stopwatch watch;
   const Mapper mapper = run_mapper(options, log, scans);
-  maps.push_back({"all points", mapper.map()->points(), mapper.trajectory(), watch.seconds()});
+  maps.push_back({"all points", to_cloud<2>(mapper.map()->points()), mapper.trajectory(), watch.seconds()});
   return maps;
 }
 

@@ -11,6 +11,6 @@ PointMap2::Pointer load_map(const std::filesystem::path& path, const SurfaceOpti
   return PointMap2::create(std::move(points), surfaces);
 }
 
-void save_map(const std::filesystem::path& path, const PointMap2& map) { save_cloud(path, map.points()); }
+void save_map(const std::filesystem::path& path, const PointMap2& map) { save_cloud(path, to_cloud<2>(map.points())); }
 
 }  // namespace slamicp

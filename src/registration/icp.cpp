@@ -205,7 +205,7 @@ void Icp<D>::State::hand_out(const IndexedPoints<D>& map, PointView<D> scan, con
   }
   if (result.inliers > 0) result.mean_inlier_distance = sum / static_cast<double>(result.inliers);
   if (wanted.updated_map) {
-    result.updated_map = map.points();
+    result.updated_map.assign(map.points().begin(), map.points().end());
     result.updated_map.insert(result.updated_map.end(), result.outliers_in_map.begin(), result.outliers_in_map.end());
     if (!wanted.outliers_in_map) result.outliers_in_map.clear();
   }

@@ -123,7 +123,7 @@ Step<D> point_to_surface_step(const StepInput<D>& input, Correspondences<D>& cor
   Matrix<n, n> information = Matrix<n, n>::Zero();
   typename Pose<D>::Tangent gradient = Pose<D>::Tangent::Zero();
   for_each_pair<D>(input, correspondences, [&](const Point<D>& p, const Point<D>& in_map, std::size_t k, double) {
-    const Surface<D>& surface = input.map.surfaces()[k];
+    const Surface<D> surface = input.map.surface(k);
     if (!surface.valid()) return;
     const double residual = surface.normal.dot(surface.centroid - in_map);
     const double weight = kernel_weight(input.kernel, residual, input.kernel_scale);

@@ -1,36 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include <slamicp/error.hpp>
 #include <slamicp/search/indexed_points.hpp>
 
 #include "search/parallel.hpp"
+#include "search/surface_fit.hpp"
 
 namespace slamicp {
-namespace {
 
-constexpr std::size_t max_neighbours = 64;
-
-void check(const SurfaceOptions& options) {
-  const auto refuse = [](const char* what, const char* mend) { throw Error(what, "SurfaceOptions", mend); };
-  if (options.neighbours < 0 || options.neighbours > static_cast<int>(max_neighbours))
-    refuse("neighbours is out of range", "give 0 (no surfaces) to 64; 12 is the default");
-  if (!(options.radius > 0.0)) refuse("radius is not above zero", "give metres; 0.5 is the default");
-  if (options.min_neighbours < 3) refuse("min_neighbours is below 3", "two points make no surface; 5 is the default");
-  if (options.neighbours > 0 && options.min_neighbours > options.neighbours)
-    refuse("min_neighbours is above neighbours", "no point could have a surface: lower it, or give 0 neighbours");
-  if (options.threads < 1) refuse("threads is below 1", "give the number of threads to use");
-}
-
-}  // namespace
-
-template <int D>
-IndexedPoints<D>::IndexedPoints(PointCloud<D> points, const SurfaceOptions& options)
-    : points_(std::move(points)), options_(options) {
-  check(options);
+IndexedPoints<3>::IndexedPoints(PointCloud3 points, const SurfaceOptions& surfaces)
+    : points_(std::move(points)), options_(surfaces) {
+  check(surfaces);
   index_from(0);
   spacing_ = sample_spacing();
   if (options_.neighbours == 0) return;
@@ -41,8 +23,7 @@ IndexedPoints<D>::IndexedPoints(PointCloud<D> points, const SurfaceOptions& opti
   estimate_surfaces(all);
 }
 
-template <int D>
-IndexedPoints<D> IndexedPoints<D>::with_added(PointView<D> added) const {
+IndexedPoints<3> IndexedPoints<3>::with_added(PointView<3> added) const {
   IndexedPoints grown = *this;
   const std::size_t first = points_.size();
   grown.points_.insert(grown.points_.end(), added.begin(), added.end());
@@ -56,8 +37,7 @@ IndexedPoints<D> IndexedPoints<D>::with_added(PointView<D> added) const {
   return grown;
 }
 
-template <int D>
-std::vector<int> IndexedPoints<D>::touched_by(std::size_t first_new) const {
+std::vector<int> IndexedPoints<3>::touched_by(std::size_t first_new) const {
   // A surface changes where a new point is nearer than the farthest neighbour that made it.
   std::vector<int> touched;
   std::vector<int> around;
@@ -74,20 +54,18 @@ std::vector<int> IndexedPoints<D>::touched_by(std::size_t first_new) const {
   return touched;
 }
 
-template <int D>
-void IndexedPoints<D>::index_from(std::size_t first) {
+void IndexedPoints<3>::index_from(std::size_t first) {
   // Swallow the small trees at the end, so that each tree stays at least twice as large as the next.
   while (!trees_.empty() && trees_.back().tree->size() <= 2 * (points_.size() - first)) {
     first = trees_.back().first;
     trees_.pop_back();
   }
   if (first == points_.size()) return;
-  const PointView<D> tail = PointView<D>(points_).subspan(first);
-  trees_.push_back({std::make_shared<const KdTree<D>>(tail, static_cast<int>(first)), first});
+  const PointView<3> tail = PointView<3>(points_).subspan(first);
+  trees_.push_back({std::make_shared<const KdTree<3>>(tail, static_cast<int>(first)), first});
 }
 
-template <int D>
-Neighbour IndexedPoints<D>::nearest(const Point<D>& query, double reach) const noexcept {
+Neighbour IndexedPoints<3>::nearest(const Point3& query, double reach) const noexcept {
   Neighbour best;
   for (const Tree& tree : trees_) {
     const Neighbour other = tree.tree->nearest(query, reach);
@@ -98,8 +76,7 @@ Neighbour IndexedPoints<D>::nearest(const Point<D>& query, double reach) const n
   return best;
 }
 
-template <int D>
-NearestTwo IndexedPoints<D>::nearest_two(const Point<D>& query, double reach) const noexcept {
+NearestTwo IndexedPoints<3>::nearest_two(const Point3& query, double reach) const noexcept {
   NearestTwo best{{}, reach * reach};
   for (const Tree& tree : trees_) {
     const NearestTwo other = tree.tree->nearest_two(query, reach);
@@ -115,63 +92,37 @@ NearestTwo IndexedPoints<D>::nearest_two(const Point<D>& query, double reach) co
   return best;
 }
 
-template <int D>
-std::size_t IndexedPoints<D>::nearest_k(const Point<D>& query, double reach,
+std::size_t IndexedPoints<3>::nearest_k(const Point3& query, double reach,
                                         std::span<Neighbour> found) const noexcept {
   std::size_t count = 0;
   for (const Tree& tree : trees_) count = tree.tree->nearest_k(query, reach, found, count);
   return count;
 }
 
-template <int D>
-void IndexedPoints<D>::within(const Point<D>& query, double radius, std::vector<int>& indices) const {
+void IndexedPoints<3>::within(const Point3& query, double radius, std::vector<int>& indices) const {
   for (const Tree& tree : trees_) tree.tree->within(query, radius, indices);
 }
 
-template <int D>
-void IndexedPoints<D>::estimate_surface(std::size_t k) noexcept {
-  std::array<Neighbour, max_neighbours> storage;
-  const std::span<Neighbour> found(storage.data(), static_cast<std::size_t>(options_.neighbours));
-  const std::size_t count = nearest_k(points_[k], options_.radius, found);
-  surfaces_[k] = {};
-  constexpr float infinity = std::numeric_limits<float>::infinity();  // rounding up: a window too wide costs little
-  window_[k] = count < found.size()
-                   ? infinity
-                   : std::nextafter(static_cast<float>(std::sqrt(found.back().squared_distance)), infinity);
-  if (count < static_cast<std::size_t>(std::max(options_.min_neighbours, D + 1))) return;
-
-  // Sums relative to the point: no digits are lost far from the map's origin.
-  Vector<D> mean = Vector<D>::Zero();
-  Matrix<D, D> scatter = Matrix<D, D>::Zero();
-  for (std::size_t j = 0; j < count; ++j) {
-    const Vector<D> offset = points_[static_cast<std::size_t>(found[j].index)] - points_[k];
-    mean += offset;
-    scatter += offset * offset.transpose();
-  }
-  mean /= static_cast<double>(count);
-  scatter = scatter / static_cast<double>(count) - mean * mean.transpose();
-
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> eigen(scatter);
-  // The normal is the direction of least spread. Where the two least spreads are alike (duplicates, points on a
-  // line in space) there is no surface.
-  const double least = std::max(eigen.eigenvalues()[0], 0.0);
-  const double next = eigen.eigenvalues()[1];
-  if (!(next > 1e-12) || !(least < 0.9 * next)) return;
-  surfaces_[k] = {points_[k] + mean, eigen.eigenvectors().col(0)};
+void IndexedPoints<3>::estimate_surface(std::size_t k) noexcept {
+  std::array<Neighbour, max_surface_neighbours> room;
+  const std::size_t count =
+      nearest_k(points_[k], options_.radius, std::span(room.data(), static_cast<std::size_t>(options_.neighbours)));
+  const std::span<const Neighbour> found(room.data(), count);
+  const auto place = [&](int number) -> const Point3& { return points_[static_cast<std::size_t>(number)]; };
+  surfaces_[k] = fit_surface<3>(points_[k], found, options_, place);
+  window_[k] = surface_window(found, options_);
 }
 
-template <int D>
-void IndexedPoints<D>::estimate_surfaces(std::span<const int> which) {
+void IndexedPoints<3>::estimate_surfaces(std::span<const int> which) {
   parallel_chunks(which.size(), options_.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end; ++j) {
       const auto k = static_cast<std::size_t>(which[j]);
-      if (is_finite<D>(points_[k])) estimate_surface(k);
+      if (is_finite<3>(points_[k])) estimate_surface(k);
     }
   });
 }
 
-template <int D>
-double IndexedPoints<D>::sample_spacing() const noexcept {
+double IndexedPoints<3>::sample_spacing() const noexcept {
   constexpr std::size_t samples = 256;
   std::array<double, samples> distances{};
   std::size_t count = 0;
@@ -185,8 +136,5 @@ double IndexedPoints<D>::sample_spacing() const noexcept {
   std::nth_element(distances.begin(), middle, distances.begin() + static_cast<std::ptrdiff_t>(count));
   return *middle;
 }
-
-template class IndexedPoints<2>;
-template class IndexedPoints<3>;
 
 }  // namespace slamicp

@@ -5,71 +5,13 @@
 #include <slamicp/error.hpp>
 #include <slamicp/search/kd_tree.hpp>
 
+#include "search/visitors.hpp"
+
 namespace slamicp {
 namespace {
 
 constexpr std::uint32_t bucket_size = 8;
 constexpr std::size_t max_depth = 64;  // 2^32 points halve 32 times
-
-/// True if (distance, id) comes before `best`: nearer, or as near and of a lower index.
-bool before(double squared_distance, int id, const Neighbour& best) noexcept {
-  return squared_distance < best.squared_distance || (squared_distance == best.squared_distance && id < best.index);
-}
-
-/// A query's visitor sees points that may matter: those not beyond bound().
-struct NearestVisitor {
-  double reach2;
-  Neighbour best{};
-
-  double bound() const noexcept { return std::min(best.squared_distance, reach2); }
-  void see(int id, double squared_distance) noexcept {
-    if (squared_distance < reach2 && before(squared_distance, id, best)) best = {id, squared_distance};
-  }
-};
-
-struct NearestTwoVisitor {
-  double reach2;
-  Neighbour best{};
-  double second = std::numeric_limits<double>::infinity();
-
-  double bound() const noexcept { return std::min(second, reach2); }
-  void see(int id, double squared_distance) noexcept {
-    if (!(squared_distance < reach2)) return;
-    if (before(squared_distance, id, best)) {
-      second = best.squared_distance;
-      best = {id, squared_distance};
-    } else {
-      second = std::min(second, squared_distance);
-    }
-  }
-};
-
-struct NearestKVisitor {
-  double reach2;
-  std::span<Neighbour> found;
-  std::size_t count;
-
-  double bound() const noexcept {
-    return count < found.size() ? reach2 : std::min(reach2, found.back().squared_distance);
-  }
-  void see(int id, double squared_distance) noexcept {
-    if (!(squared_distance < reach2)) return;
-    if (count == found.size() && !before(squared_distance, id, found.back())) return;
-    std::size_t place = count < found.size() ? count++ : count - 1;
-    for (; place > 0 && before(squared_distance, id, found[place - 1]); --place) found[place] = found[place - 1];
-    found[place] = {id, squared_distance};
-  }
-};
-
-struct WithinVisitor {
-  double reach2;
-  std::vector<int>& indices;
-
-  double bound() const noexcept { return reach2; }
-  void see(int id, double squared_distance) {
-    if (squared_distance < reach2) indices.push_back(id);
-  }
-};
 
 template <int D>
 int widest_axis(PointView<D> points, std::span<const std::uint32_t> order) {

@@ -18,7 +18,7 @@ struct Scene {
   Pose2 guess{0.32, 0.17, 0.42};
 
   Scene() {
-    scan = test::transformed(Pose2{0.3, 0.2, 0.4}.inverse(), map.points());
+    scan = test::transformed(Pose2{0.3, 0.2, 0.4}.inverse(), to_cloud(map.points()));
     test::append(scan, test::wall({1.0, 0.1}, {1.3, 0.2}, 0.01));
     scan.push_back({test::nan, 1.0});
   }
@@ -60,7 +60,7 @@ TEST(IcpOutputsTest, OutliersAreThoseOfTheFinalPoseNotOfTheLastLinearization) {
   const auto outliers_at = [&](const Pose2& pose) {
     std::vector<int> outliers;
     for (std::size_t i = 0; i + 1 < scene.scan.size(); ++i)
-      if (!test::nearest_of_all<2>(scene.map.points(), pose * scene.scan[i], 0.1).found())
+      if (!test::nearest_of_all<2>(to_cloud(scene.map.points()), pose * scene.scan[i], 0.1).found())
         outliers.push_back(static_cast<int>(i));
     return outliers;
   };
@@ -124,7 +124,7 @@ TEST(IcpOutputsTest, AResultIsForgottenByTheNext) {
   EXPECT_EQ(result.iterations, 0);
   EXPECT_EQ(result.inliers + result.pairs + result.searches, 0U);
   EXPECT_TRUE(result.outlier_indices.empty() && result.matches.empty() && result.transformed_scan.empty());
-  EXPECT_EQ(result.updated_map, scene.map.points());
+  EXPECT_EQ(result.updated_map, to_cloud(scene.map.points()));
 }
 
 TEST(IcpOutputsTest, BriefSaysWhyItEndedAndWhatWasFound) {
@@ -138,7 +138,7 @@ TEST(IcpOutputsTest, BriefSaysWhyItEndedAndWhatWasFound) {
 TEST(IcpOutputsTest, AlignOfTwoCloudsIsAnIcpOverTheirIndex) {
   const Scene scene;
   for (const Method method : {Method::point_to_point, Method::point_to_line}) {
-    const IcpResult2 once = align(scene.scan, scene.map.points(), scene.guess, {.method = method});
+    const IcpResult2 once = align(scene.scan, to_cloud(scene.map.points()), scene.guess, {.method = method});
     const IcpResult2 kept = Icp<2>({.method = method}).align(scene.map, scene.scan, scene.guess, Outputs::all());
     EXPECT_EQ(once.pose.x, kept.pose.x);
     EXPECT_EQ(once.pose.theta, kept.pose.theta);

@@ -23,7 +23,7 @@ template <int D>
 PointCloud<D> clean_scan(const IndexedPoints<D>& map, const Pose<D>& truth) {
   PointCloud<D> scan;
   for (std::size_t k = 0; k < map.size(); ++k) {
-    const Surface<D>& surface = map.surfaces()[k];
+    const Surface<D> surface = map.surface(k);
     if (surface.valid() && std::abs(surface.normal.dot(map.points()[k] - surface.centroid)) < 1e-9)
       scan.push_back(truth.inverse() * map.points()[k]);
   }
@@ -135,7 +135,7 @@ std::vector<Pair<D>> pairs_of(const IndexedPoints<D>& map, const PointCloud<D>& 
     const Neighbour nearest = map.nearest(guess * point, gate);
     if (!nearest.found()) continue;
     const auto k = static_cast<std::size_t>(nearest.index);
-    if (map.surfaces()[k].valid()) pairs.push_back({point, map.points()[k], map.surfaces()[k]});
+    if (map.surface(k).valid()) pairs.push_back({point, map.points()[k], map.surface(k)});
   }
   return pairs;
 }

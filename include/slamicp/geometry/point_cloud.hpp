@@ -30,6 +30,12 @@ using PointCloud = std::vector<Point<D>>;
 template <int D>
 using PointView = std::span<const Point<D>>;
 
+/// A copy of one's own.
+template <int D>
+PointCloud<D> to_cloud(PointView<D> points) {
+  return PointCloud<D>(points.begin(), points.end());
+}
+
 using Point2 = Point<2>;
 using Point3 = Point<3>;
 using PointCloud2 = PointCloud<2>;

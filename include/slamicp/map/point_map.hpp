@@ -23,7 +23,7 @@ class PointMap {
   Pointer with_added(PointView<D> points) const;
 
   const IndexedPoints<D>& indexed() const noexcept { return indexed_; }
-  const PointCloud<D>& points() const noexcept { return indexed_.points(); }
+  PointView<D> points() const noexcept { return indexed_.points(); }
   std::size_t size() const noexcept { return indexed_.size(); }
 
   /// 0 for a map just created, one more with each update.

@@ -60,4 +60,6 @@ class KdTree {
 extern template class KdTree<2>;
 extern template class KdTree<3>;
 
+static_assert(NearestNeighbourIndex<KdTree<2>, 2> && NearestNeighbourIndex<KdTree<3>, 3>);
+
 }  // namespace slamicp
