@@ -11,3 +11,8 @@ foreach(source IN LISTS measurement_sources)
     set_target_properties(measure_${name} PROPERTIES EXCLUDE_FROM_ALL ON)
   endif()
 endforeach()
+
+option(SLAMICP_BUILD_BENCH "Build slamicp-bench, the comparison with peers (nanoflann; PCL and MRPT where found)" OFF)
+if(SLAMICP_BUILD_BENCH)
+  include(cmake/bench.cmake)
+endif()

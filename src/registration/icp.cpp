@@ -7,6 +7,7 @@
 
 #include "registration/correspondences.hpp"
 #include "registration/step.hpp"
+#include "registration/vector_match.hpp"
 
 namespace slamicp {
 namespace {
@@ -80,20 +81,55 @@ class Convergence {
   bool came_back_ = false;
 };
 
+/// Which share of the scan a step looks at: few points while the pose is far off, all of them at the end.
+class Stride {
+ public:
+  explicit Stride(std::size_t points) noexcept {
+    while (value_ < coarsest && points / (2 * value_) >= enough) value_ *= 2;
+  }
+
+  std::size_t value() const noexcept { return value_; }
+  bool is_final() const noexcept { return value_ == 1; }
+
+  /// @param moved  how far the last step moved the scan's points [m]
+  void refine(double moved) noexcept {
+    if (moved < 0.02 && value_ > 4)
+      value_ = 4;
+    else if (moved < 0.01)
+      value_ = 1;
+  }
+
+ private:
+  static constexpr std::size_t coarsest = 8;
+  static constexpr std::size_t enough = 100;  // points, for a step that can be trusted
+
+  std::size_t value_ = 1;
+};
+
 }  // namespace
 
 template <int D>
 struct Icp<D>::State {
+  explicit State(const IcpOptions& chosen) : options(chosen), vector_match(passes_of(chosen.instruction_set)) {}
+
   IcpOptions options;
   IcpResult<D> result;
-  Correspondences<D> correspondences;
-  std::size_t room = 0;  // scan points to be ready for
+  Correspondences<D> correspondences;  // the match one point at a time
+  VectorMatch vector_match;            // the match many points at a time, in the plane
+  std::size_t room = 0;                // scan points to be ready for
+
+  bool is_vectorized() const noexcept { return D == 2 && vector_match.exists(); }
+  std::size_t begin(const IndexedPoints<D>& map, PointView<D> scan);
+  Step<D> step(const StepInput<D>& input) noexcept;
+  std::size_t searches() const noexcept;
 
   void forget() noexcept;
   void make_room(std::size_t map_points, const Outputs& wanted);
   void find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess);
   void hand_out(const IndexedPoints<D>& map, PointView<D> scan, const Outputs& wanted);
-  Match match(std::size_t i, const Point<D>& in_map) noexcept;
+  PointClass class_of(double squared_distance) const noexcept;
+  void match_all(PointView<D> scan, const Outputs& wanted, bool want_outliers);
+  void find_outliers(PointView<D> scan);
 };
 
 template <int D>
@@ -111,28 +147,49 @@ void Icp<D>::State::forget() noexcept {
 
 template <int D>
 void Icp<D>::State::make_room(std::size_t map_points, const Outputs& wanted) {
-  if (wanted.outlier_indices) result.outlier_indices.reserve(room);
+  if (wanted.outlier_indices || wanted.outliers_in_map || wanted.updated_map) result.outlier_indices.reserve(room);
   if (wanted.outliers_in_map || wanted.updated_map) result.outliers_in_map.reserve(room);
   if (wanted.transformed_scan) result.transformed_scan.reserve(room);
   if (wanted.updated_map) result.updated_map.reserve(map_points + room);
   if (wanted.matches) result.matches.reserve(room);
 }
 
+/// Takes up a scan. Returns how many of its points are numbers.
+template <int D>
+std::size_t Icp<D>::State::begin(const IndexedPoints<D>& map, PointView<D> scan) {
+  if constexpr (D == 2)
+    if (is_vectorized()) return vector_match.begin(map.cells(), scan);
+  correspondences.reset(map, scan, std::max(options.max_correspondence_distance, options.outlier_threshold()));
+  return correspondences.usable_points();
+}
+
+template <int D>
+Step<D> Icp<D>::State::step(const StepInput<D>& input) noexcept {
+  const bool by_points = options.method == Method::point_to_point;
+  if constexpr (D == 2)
+    if (is_vectorized())
+      return by_points ? vector_match.point_to_point_step(input) : vector_match.point_to_surface_step(input);
+  return by_points ? point_to_point_step<D>(input, correspondences) : point_to_surface_step<D>(input, correspondences);
+}
+
+template <int D>
+std::size_t Icp<D>::State::searches() const noexcept {
+  return is_vectorized() ? vector_match.searches() : correspondences.searches();
+}
+
 template <int D>
 void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess) {
   result.pose = guess;
-  correspondences.reset(map, scan, std::max(options.max_correspondence_distance, options.outlier_threshold()));
-  if (correspondences.usable_points() < fewest_points<D>) {
+  if (begin(map, scan) < fewest_points<D>) {
     result.stop = Stop::too_few_points;
     return;
   }
   Gate gate(options, map.spacing());
   Convergence<D> convergence(options, guess);
-  const auto step_of = options.method == Method::point_to_point ? point_to_point_step<D> : point_to_surface_step<D>;
+  Stride stride(D == 2 && options.coarse_to_fine ? scan.size() : 0);
   while (true) {
-    const Step<D> step = step_of(
-        {map, scan, result.pose, gate.value(), options.kernel, options.kernel_scale, guess, options.guess_share},
-        correspondences);
+    const Step<D> step = this->step({map, scan, stride.value(), result.pose, gate.value(), options.kernel,
+                                     options.kernel_scale, guess, options.guess_share});
     result.pairs = step.pairs;
     ++result.iterations;
     if (step.pairs < fewest_points<D> || !step.pose.is_finite()) {
@@ -143,7 +200,7 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
     const PoseDistance moved = distance(result.pose, step.pose);
     result.pose = step.pose;
     convergence.step_to(result.pose);
-    if (convergence.reached() && gate.is_final()) {
+    if (convergence.reached() && gate.is_final() && stride.is_final()) {
       result.stop = step.degenerate ? Stop::degenerate : Stop::converged;
       return;
     }
@@ -154,67 +211,98 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
     // Point to point creeps along walls, in steps that say little of what is left: its gate waits until it stands
     // still.
     if (options.method == Method::point_to_point && !convergence.reached()) continue;
-    gate.shrink((moved.translation + step.reach * moved.rotation) * std::max(1.0, convergence.left_of_last_step()));
+    const double shift = moved.translation + step.reach * moved.rotation;
+    gate.shrink(shift * std::max(1.0, convergence.left_of_last_step()));
+    stride.refine(shift);
   }
 }
 
 template <int D>
-Match Icp<D>::State::match(std::size_t i, const Point<D>& in_map) noexcept {
-  if (!correspondences.finite(i)) return {};
-  const Neighbour neighbour = correspondences.nearest(i, in_map);
-  Match match{neighbour.index, std::sqrt(neighbour.squared_distance), PointClass::neither};
-  // Squares, as closer_than() compares them: a point's class does not depend on which outputs were asked for.
-  const auto closer_than = [&](double limit) { return neighbour.squared_distance < limit * limit; };
+PointClass Icp<D>::State::class_of(double squared_distance) const noexcept {
+  // Squares, as every path compares them: a point's class does not depend on which outputs were asked for.
+  const auto closer_than = [&](double limit) { return squared_distance < limit * limit; };
   const bool inlier = closer_than(options.max_correspondence_distance);
   const bool outlier = !closer_than(options.outlier_threshold());
-  match.point_class = inlier && outlier ? PointClass::both
-                      : inlier          ? PointClass::inlier
-                      : outlier         ? PointClass::outlier
-                                        : PointClass::neither;
-  return match;
+  return inlier && outlier ? PointClass::both
+         : inlier          ? PointClass::inlier
+         : outlier         ? PointClass::outlier
+                           : PointClass::neither;
+}
+
+/// The nearest map point of every scan point: matches, their mean distance, and the outliers if wanted.
+template <int D>
+void Icp<D>::State::match_all(PointView<D> scan, const Outputs& wanted, bool want_outliers) {
+  const Matrix<D, D> rotation = result.pose.rotation();
+  const Point<D> translation = result.pose.translation();
+  if constexpr (D == 2)
+    if (is_vectorized())
+      vector_match.find_matches(result.pose,
+                                std::max(options.max_correspondence_distance, options.outlier_threshold()));
+  const auto nearest = [&](std::size_t i, const Point<D>& in_map) {
+    if constexpr (D == 2)
+      if (is_vectorized()) return vector_match.match(i, in_map);
+    return correspondences.nearest(i, in_map);
+  };
+  if (wanted.matches) result.matches.resize(scan.size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    Match match;
+    if (is_finite<D>(scan[i])) {
+      const Neighbour neighbour = nearest(i, rotation * scan[i] + translation);
+      match = {neighbour.index, std::sqrt(neighbour.squared_distance), class_of(neighbour.squared_distance)};
+    }
+    if (wanted.matches) result.matches[i] = match;
+    if (is_inlier(match.point_class)) {
+      ++result.inliers;
+      sum += match.distance;
+    }
+    if (want_outliers && is_outlier(match.point_class)) result.outlier_indices.push_back(static_cast<int>(i));
+  }
+  if (result.inliers > 0) result.mean_inlier_distance = sum / static_cast<double>(result.inliers);
+}
+
+template <int D>
+void Icp<D>::State::find_outliers(PointView<D> scan) {
+  if constexpr (D == 2)
+    if (is_vectorized())
+      return vector_match.find_outliers(result.pose, options.outlier_threshold(), result.outlier_indices);
+  const Matrix<D, D> rotation = result.pose.rotation();
+  const Point<D> translation = result.pose.translation();
+  for (std::size_t i = 0; i < scan.size(); ++i)
+    if (correspondences.finite(i) &&
+        !correspondences.closer_than(i, rotation * scan[i] + translation, options.outlier_threshold()))
+      result.outlier_indices.push_back(static_cast<int>(i));
 }
 
 template <int D>
 void Icp<D>::State::hand_out(const IndexedPoints<D>& map, PointView<D> scan, const Outputs& wanted) {
   const bool want_outliers = wanted.outlier_indices || wanted.outliers_in_map || wanted.updated_map;
-  const bool want_distances = wanted.mean_inlier_distance || wanted.matches;
-  if (!want_outliers && !want_distances && !wanted.transformed_scan) return;
+  if (wanted.mean_inlier_distance || wanted.matches)
+    match_all(scan, wanted, want_outliers);
+  else if (want_outliers)
+    find_outliers(scan);
 
   const Matrix<D, D> rotation = result.pose.rotation();
   const Point<D> translation = result.pose.translation();
-  const bool want_points = wanted.outliers_in_map || wanted.updated_map;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    const Point<D> in_map = rotation * scan[i] + translation;
-    if (wanted.transformed_scan) result.transformed_scan.push_back(in_map);
-    bool outlier = false;
-    if (want_distances) {
-      const Match found = match(i, in_map);
-      if (wanted.matches) result.matches.push_back(found);
-      if (is_inlier(found.point_class)) {
-        ++result.inliers;
-        sum += found.distance;
-      }
-      outlier = is_outlier(found.point_class);
-    } else if (want_outliers) {
-      outlier = correspondences.finite(i) && !correspondences.closer_than(i, in_map, options.outlier_threshold());
-    }
-    if (!outlier) continue;
-    if (wanted.outlier_indices) result.outlier_indices.push_back(static_cast<int>(i));
-    if (want_points) result.outliers_in_map.push_back(in_map);
+  if (wanted.transformed_scan) {
+    result.transformed_scan.resize(scan.size());
+    for (std::size_t i = 0; i < scan.size(); ++i) result.transformed_scan[i] = rotation * scan[i] + translation;
   }
-  if (result.inliers > 0) result.mean_inlier_distance = sum / static_cast<double>(result.inliers);
+  if (wanted.outliers_in_map || wanted.updated_map)
+    for (const int i : result.outlier_indices)
+      result.outliers_in_map.push_back(rotation * scan[static_cast<std::size_t>(i)] + translation);
   if (wanted.updated_map) {
     result.updated_map.assign(map.points().begin(), map.points().end());
     result.updated_map.insert(result.updated_map.end(), result.outliers_in_map.begin(), result.outliers_in_map.end());
-    if (!wanted.outliers_in_map) result.outliers_in_map.clear();
   }
+  if (!wanted.outlier_indices) result.outlier_indices.clear();
+  if (!wanted.outliers_in_map) result.outliers_in_map.clear();
 }
 
 template <int D>
-Icp<D>::Icp(const IcpOptions& options) : state_(std::make_unique<State>()) {
+Icp<D>::Icp(const IcpOptions& options) {
   if (const std::string problem = options.problem(); !problem.empty()) throw Error(problem, "IcpOptions");
-  state_->options = options;
+  state_ = std::make_unique<State>(options);
 }
 
 template <int D>
@@ -236,16 +324,19 @@ const IcpResult<D>& Icp<D>::align(const IndexedPoints<D>& map, PointView<D> scan
   state_->room = std::max(state_->room, scan.size());
   state_->make_room(map.size(), wanted);
   state_->find_pose(map, scan, guess * Pose<D>{});  // angles leave the library in (-pi, pi], the guess's too
-  state_->result.searches = state_->correspondences.searches();
+  state_->result.searches = state_->searches();
   state_->hand_out(map, scan, wanted);
-  state_->result.searches_for_outputs = state_->correspondences.searches() - state_->result.searches;
+  state_->result.searches_for_outputs = state_->searches() - state_->result.searches;
   return state_->result;
 }
 
 template <int D>
 void Icp<D>::reserve(std::size_t points) {
   state_->room = std::max(state_->room, points);
-  state_->correspondences.reserve(points);
+  if (state_->is_vectorized())
+    state_->vector_match.reserve(points);
+  else
+    state_->correspondences.reserve(points);
 }
 
 template <int D>

@@ -17,7 +17,7 @@ void for_each_pair(const StepInput<D>& input, Correspondences<D>& correspondence
   const Matrix<D, D> rotation = input.pose.rotation();
   const Point<D> translation = input.pose.translation();
   const double gate2 = input.gate * input.gate;
-  for (std::size_t i = 0; i < input.scan.size(); ++i) {
+  for (std::size_t i = input.stride / 2; i < input.scan.size(); i += input.stride) {
     if (!correspondences.finite(i)) continue;
     const Point<D> in_map = rotation * input.scan[i] + translation;
     const Neighbour neighbour = correspondences.nearest(i, in_map);
@@ -32,6 +32,22 @@ double turn_jacobian(const Point2& p, const Vector<2>& normal) noexcept {
 }
 Vector<3> turn_jacobian(const Point3& p, const Vector<3>& normal) noexcept { return p.cross(normal); }
 
+/// Three unknowns that are all held, for sure: the determinant over the square of the trace bounds the least eigenvalue
+/// from below. Returns false where that does not tell.
+bool solve_held(const Eigen::Matrix3d& scaled, const Eigen::Vector3d& right, Eigen::Vector3d& x) noexcept {
+  const double trace = scaled.trace();
+  const Eigen::Vector3d a = scaled.col(0), b = scaled.col(1), c = scaled.col(2);
+  const Eigen::Vector3d bc = b.cross(c);
+  const double determinant = a.dot(bc);
+  if (!(4.0 * determinant > 10.0 * blind_share * trace * trace * trace)) return false;
+  x = Eigen::Vector3d(right.dot(bc), a.dot(right.cross(c)), a.dot(b.cross(right))) / determinant;  // Cramer
+  return true;
+}
+template <typename Square, typename Column>
+bool solve_held(const Square&, const Column&, Column&) noexcept {
+  return false;
+}
+
 /// Solves H x = g where H holds x, and leaves x at zero where it does not. `unit` [m] makes turns comparable to
 /// shifts: a turn counts by what it moves at that distance.
 template <int D>
@@ -43,10 +59,12 @@ typename Pose<D>::Tangent solve(const Matrix<Pose<D>::degrees_of_freedom, Pose<D
   Column scale = Column::Ones();
   scale.template tail<n - D>().setConstant(1.0 / unit);
   const Square scaled = scale.asDiagonal() * information * scale.asDiagonal();
+  degenerate = false;
+  Column all_held;
+  if (solve_held(scaled, Column(scale.asDiagonal() * gradient), all_held)) return scale.asDiagonal() * all_held;
   const Eigen::SelfAdjointEigenSolver<Square> eigen(scaled);
   const double strongest = eigen.eigenvalues()[n - 1];
   Column along = eigen.eigenvectors().transpose() * (scale.asDiagonal() * gradient);
-  degenerate = false;
   for (int k = 0; k < n; ++k) {
     const bool held = eigen.eigenvalues()[k] > blind_share * strongest;
     along[k] = held ? along[k] / eigen.eigenvalues()[k] : 0.0;
@@ -56,20 +74,23 @@ typename Pose<D>::Tangent solve(const Matrix<Pose<D>::degrees_of_freedom, Pose<D
 }
 
 /// The rotation that best turns the scatter's source directions into its target's (Kabsch 1976), and whether the
-/// scatter holds it.
-Matrix<2, 2> best_rotation(const Matrix<2, 2>& scatter, const Matrix<2, 2>& otherwise, bool& degenerate) noexcept {
+/// scatter holds it. @param range2  mean square distance of the sources from the robot [m^2]
+Matrix<2, 2> best_rotation(const Matrix<2, 2>& scatter, const Matrix<2, 2>& otherwise, double range2,
+                           bool& degenerate) noexcept {
   // scatter = sum w target source^T; the angle maximizes trace(R^T scatter).
   const double cosine = scatter(0, 0) + scatter(1, 1);
   const double sine = scatter(1, 0) - scatter(0, 1);
   const double length = std::hypot(cosine, sine);
-  degenerate = !(length > 1e-12);
+  // Points within a thousandth of their distance from the robot hold no turn; nor do sums in float resolve them.
+  degenerate = !(length > std::max(1e-12, 1e-6 * range2));
   if (degenerate) return otherwise;
   Matrix<2, 2> rotation;
   rotation << cosine, -sine, sine, cosine;
   return rotation / length;
 }
 
-Matrix<3, 3> best_rotation(const Matrix<3, 3>& scatter, const Matrix<3, 3>& otherwise, bool& degenerate) noexcept {
+Matrix<3, 3> best_rotation(const Matrix<3, 3>& scatter, const Matrix<3, 3>& otherwise, double,
+                           bool& degenerate) noexcept {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(scatter, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const auto& spread = svd.singularValues();
   degenerate = !(spread[1] > blind_share * spread[0]) || !(spread[0] > 1e-12);
@@ -82,64 +103,79 @@ Matrix<3, 3> best_rotation(const Matrix<3, 3>& scatter, const Matrix<3, 3>& othe
 }  // namespace
 
 template <int D>
+void NormalEquations<D>::add(const Point<D>& in_robot, const Point<D>& in_map, const Surface<D>& surface,
+                             const Matrix<D, D>& into_robot, RobustKernel kernel, double kernel_scale) noexcept {
+  if (!surface.valid()) return;
+  const double residual = surface.normal.dot(surface.centroid - in_map);
+  const double weight = kernel_weight(kernel, residual, kernel_scale);
+  if (weight == 0.0) return;  // holds nothing, so it is no pair
+  const Vector<D> normal = into_robot * surface.normal;
+  typename Pose<D>::Tangent jacobian;
+  jacobian << normal, turn_jacobian(in_robot, normal);
+  information += weight * jacobian * jacobian.transpose();
+  gradient += weight * residual * jacobian;
+  squared_ranges += in_robot.squaredNorm();
+  ++pairs;
+}
+
+template <int D>
+void PairSums<D>::add(const Point<D>& in_robot, const Point<D>& from_origin, double weight) noexcept {
+  if (weight == 0.0) return;
+  weights += weight;
+  squared_ranges += in_robot.squaredNorm();
+  source += weight * in_robot;
+  target += weight * from_origin;
+  products += weight * from_origin * in_robot.transpose();
+  ++pairs;
+}
+
+template <int D>
 Step<D> point_to_point_step(const StepInput<D>& input, Correspondences<D>& correspondences) noexcept {
+  const Point<D> origin = input.pose.translation();
+  PairSums<D> sums;
+  for_each_pair<D>(input, correspondences, [&](const Point<D>& p, const Point<D>&, std::size_t k, double distance) {
+    sums.add(p, input.map.points()[k] - origin, kernel_weight(input.kernel, distance, input.kernel_scale));
+  });
+  return point_to_point_step(input, sums, origin);
+}
+
+template <int D>
+Step<D> point_to_point_step(const StepInput<D>& input, const PairSums<D>& sums, const Point<D>& origin) noexcept {
   Step<D> step;
   step.pose = input.pose;
-  const Point<D> origin = input.pose.translation();  // sums near the robot keep their digits far from the map's origin
-  double weights = 0.0;
-  double reach2 = 0.0;
-  Point<D> source = Point<D>::Zero();
-  Point<D> target = Point<D>::Zero();
-  Matrix<D, D> products = Matrix<D, D>::Zero();
-  for_each_pair<D>(input, correspondences, [&](const Point<D>& p, const Point<D>&, std::size_t k, double distance) {
-    const double weight = kernel_weight(input.kernel, distance, input.kernel_scale);
-    if (weight == 0.0) return;  // holds nothing, so it is no pair
-    const Point<D> m = input.map.points()[k] - origin;
-    weights += weight;
-    reach2 += p.squaredNorm();
-    source += weight * p;
-    target += weight * m;
-    products += weight * m * p.transpose();
-    ++step.pairs;
-  });
-  if (!(weights > 0.0)) return step;
+  step.pairs = sums.pairs;
+  if (!(sums.weights > 0.0)) return step;
 
-  source /= weights;
-  target /= weights;
-  const Matrix<D, D> scatter = products / weights - target * source.transpose();
-  const Matrix<D, D> rotation = best_rotation(scatter, input.pose.rotation(), step.degenerate);
-  step.reach = std::sqrt(reach2 / static_cast<double>(step.pairs));
+  const Point<D> source = sums.source / sums.weights;
+  const Point<D> target = sums.target / sums.weights;
+  const Matrix<D, D> scatter = sums.products / sums.weights - target * source.transpose();
+  const double range2 = sums.squared_ranges / static_cast<double>(sums.pairs);
+  const Matrix<D, D> rotation = best_rotation(scatter, input.pose.rotation(), range2, step.degenerate);
+  step.reach = std::sqrt(range2);
   step.pose = Pose<D>::from(rotation, origin + target - rotation * source);
   return step;
 }
 
 template <int D>
 Step<D> point_to_surface_step(const StepInput<D>& input, Correspondences<D>& correspondences) noexcept {
-  constexpr int n = Pose<D>::degrees_of_freedom;
   const Matrix<D, D> into_robot = input.pose.rotation().transpose();
+  NormalEquations<D> equations;
+  for_each_pair<D>(input, correspondences, [&](const Point<D>& p, const Point<D>& in_map, std::size_t k, double) {
+    equations.add(p, in_map, input.map.surface(k), into_robot, input.kernel, input.kernel_scale);
+  });
+  return point_to_surface_step(input, equations);
+}
+
+template <int D>
+Step<D> point_to_surface_step(const StepInput<D>& input, NormalEquations<D> equations) noexcept {
+  constexpr int n = Pose<D>::degrees_of_freedom;
   Step<D> step;
   step.pose = input.pose;
-  double reach2 = 0.0;
-  Matrix<n, n> information = Matrix<n, n>::Zero();
-  typename Pose<D>::Tangent gradient = Pose<D>::Tangent::Zero();
-  for_each_pair<D>(input, correspondences, [&](const Point<D>& p, const Point<D>& in_map, std::size_t k, double) {
-    const Surface<D> surface = input.map.surface(k);
-    if (!surface.valid()) return;
-    const double residual = surface.normal.dot(surface.centroid - in_map);
-    const double weight = kernel_weight(input.kernel, residual, input.kernel_scale);
-    if (weight == 0.0) return;
-    const Vector<D> normal = into_robot * surface.normal;
-    typename Pose<D>::Tangent jacobian;
-    jacobian << normal, turn_jacobian(p, normal);
-    information += weight * jacobian * jacobian.transpose();
-    gradient += weight * residual * jacobian;
-    reach2 += p.squaredNorm();
-    ++step.pairs;
-  });
+  step.pairs = equations.pairs;
   if (step.pairs == 0) return step;
 
-  step.reach = std::sqrt(reach2 / static_cast<double>(step.pairs));
-  if (!(information.trace() > 0.0)) {
+  step.reach = std::sqrt(equations.squared_ranges / static_cast<double>(step.pairs));
+  if (!(equations.information.trace() > 0.0)) {
     step.degenerate = true;
     return step;
   }
@@ -147,17 +183,21 @@ Step<D> point_to_surface_step(const StepInput<D>& input, Correspondences<D>& cor
     // The guess as pairs: a pull back to it, in every direction alike; a turn counts by what it moves at the reach.
     typename Pose<D>::Tangent weight = Pose<D>::Tangent::Constant(input.guess_share * static_cast<double>(step.pairs));
     weight.template tail<n - D>() *= step.reach * step.reach;
-    information += Matrix<n, n>(weight.asDiagonal());
-    gradient += weight.cwiseProduct((input.pose.inverse() * input.guess).log());
+    equations.information += Matrix<n, n>(weight.asDiagonal());
+    equations.gradient += weight.cwiseProduct((input.pose.inverse() * input.guess).log());
   }
-  const auto motion = solve<D>(information, gradient, std::max(step.reach, 1e-6), step.degenerate);
+  const auto motion = solve<D>(equations.information, equations.gradient, std::max(step.reach, 1e-6), step.degenerate);
   step.pose = input.pose * Pose<D>::exp(motion);
   return step;
 }
 
+template struct NormalEquations<2>;
+template struct PairSums<2>;
 template Step<2> point_to_point_step(const StepInput<2>&, Correspondences<2>&) noexcept;
 template Step<3> point_to_point_step(const StepInput<3>&, Correspondences<3>&) noexcept;
+template Step<2> point_to_point_step(const StepInput<2>&, const PairSums<2>&, const Point<2>&) noexcept;
 template Step<2> point_to_surface_step(const StepInput<2>&, Correspondences<2>&) noexcept;
 template Step<3> point_to_surface_step(const StepInput<3>&, Correspondences<3>&) noexcept;
+template Step<2> point_to_surface_step(const StepInput<2>&, NormalEquations<2>) noexcept;
 
 }  // namespace slamicp

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "search/cell_clip.hpp"
 
@@ -17,7 +16,7 @@ constexpr double slack = 1e-9;
 // A grown list longer than this is cut down.
 constexpr std::size_t long_list = 12;
 
-constexpr Candidate nowhere{1e15F, 1e15F, 0, 0, 0.0F};
+constexpr CellPlace nowhere{32767, 32767};  // a reach from the tile, and more
 
 bool same_place(const CellPoint& a, const CellPoint& b) noexcept { return a.x == b.x && a.y == b.y; }
 
@@ -32,17 +31,20 @@ bool is_beaten(const CellPoint& p, const CellPoint& q, double cx, double cy, dou
 
 CellPoint cell_point(const Point2& place, int number, const Line& line) noexcept {
   const auto whole = [](float normal) { return static_cast<std::int16_t>(std::lround(normal * line_scale)); };
-  Candidate candidate{static_cast<float>(place.x()), static_cast<float>(place.y()), whole(line.normal_x),
-                      whole(line.normal_y), 0.0F};
+  CellLine stored{whole(line.normal_x), whole(line.normal_y), 0.0F};
   // The offset is of the normal as rounded, so that the line goes through the same place.
-  const double nx = candidate.normal_x / static_cast<double>(line_scale);
-  const double ny = candidate.normal_y / static_cast<double>(line_scale);
+  const double nx = stored.normal_x / static_cast<double>(line_scale);
+  const double ny = stored.normal_y / static_cast<double>(line_scale);
   const double turn = nx * static_cast<double>(line.normal_x) + ny * static_cast<double>(line.normal_y);
-  candidate.offset = static_cast<float>(nx * place.x() + ny * place.y() + turn * static_cast<double>(line.offset));
-  return {place.x(), place.y(), number, candidate};
+  stored.offset = static_cast<float>(nx * place.x() + ny * place.y() + turn * static_cast<double>(line.offset));
+  return {place.x(), place.y(), number, stored};
 }
 
 double distance_unit(const TileGrid& grid, double reach) noexcept { return (reach + 3.0 * grid.cell) / 62.0; }
+
+double place_unit(const TileGrid& grid, double reach) noexcept {
+  return (0.5 * grid.tile + reach + grid.cell) / 32767.0;
+}
 
 double CellBuilder::Square::to(const CellPoint& point) const noexcept {
   const double dx = std::max({x - point.x, point.x - x - side, 0.0});
@@ -66,21 +68,24 @@ CellBuilder::Square CellBuilder::square_of(std::size_t cell) const noexcept {
 
 void CellBuilder::begin_table() noexcept {
   words_.fill(CellTable::word(0, 0, CellTable::farthest, CellTable::farthest));
-  candidates_.assign(1, nowhere);
-  numbers_.assign(1, -1);
+  places_.clear();
+  lines_.clear();
+  numbers_.clear();
 }
 
 CellTablePointer CellBuilder::finish_table() const {
-  const std::size_t count = candidates_.size();
-  const std::size_t bytes = sizeof(CellTable) + count * (sizeof(Candidate) + sizeof(std::int32_t));
-  void* memory = ::operator new(bytes);
-  auto* table = new (memory) CellTable;
+  const auto count = static_cast<std::uint32_t>(places_.size());
+  char* memory = static_cast<char*>(::operator new(table_bytes(count)));
+  auto* table = new (memory + lines_bytes(count)) CellTable;
   std::copy(words_.begin(), words_.end(), table->cells);
-  table->count = static_cast<std::uint32_t>(count);
+  table->count = count;
   std::fill(std::begin(table->unused), std::end(table->unused), 0U);
-  std::memcpy(static_cast<void*>(table + 1), candidates_.data(), count * sizeof(Candidate));
-  std::memcpy(static_cast<char*>(memory) + sizeof(CellTable) + count * sizeof(Candidate), numbers_.data(),
-              count * sizeof(std::int32_t));
+  auto* places = reinterpret_cast<CellPlace*>(table + 1);
+  std::fill(std::copy(places_.begin(), places_.end(), places), places + count + CellTable::spare, nowhere);
+  auto* line = reinterpret_cast<CellLine*>(table);
+  for (const CellLine& one : lines_) *--line = one;
+  std::fill(line - CellTable::spare, line, CellLine{0, 0, 0.0F});
+  std::copy(numbers_.begin(), numbers_.end(), reinterpret_cast<std::int32_t*>(places + count + CellTable::spare));
   return CellTablePointer(table);
 }
 
@@ -227,19 +232,19 @@ CellTablePointer CellBuilder::grow(const CellTable& old, const Point2& corner, P
                                    std::span<const CellPoint> added, std::span<const CellPoint> changed) {
   begin_table();
   find_cells(added, old);
-  const auto as_it_is_now = [&](std::size_t candidate) {
+  const auto as_it_is_now = [&](std::uint32_t candidate) {
     const int number = old.numbers()[candidate];
     const auto found = std::lower_bound(changed.begin(), changed.end(), number,
                                         [](const CellPoint& one, int wanted) { return one.number < wanted; });
     if (found != changed.end() && found->number == number) return *found;
     const Point2 place = all[static_cast<std::size_t>(number)] - corner;
-    return CellPoint{place.x(), place.y(), number, old.candidates()[candidate]};
+    return CellPoint{place.x(), place.y(), number, old.line(candidate)};
   };
   Points& list = levels_[0];
   auto meeting = meetings_.begin();
   for (std::size_t cell = 0; cell < words_.size(); ++cell) {
     const std::uint32_t word = old.cells[cell];
-    const std::uint32_t begin = CellTable::begin_of(word);
+    const std::uint32_t begin = CellTable::first_of(word);
     const std::uint32_t count = CellTable::count_of(word);
     if (count == CellTable::no_answer) {
       while (meeting != meetings_.end() && meeting->cell == cell) ++meeting;
@@ -266,14 +271,18 @@ void CellBuilder::put(std::size_t cell, std::span<const CellPoint> points, const
     above = std::min(above, square.across(point));
     below = std::min(below, square.to(point));
   }
-  const bool fits =
-      points.size() < CellTable::no_answer && candidates_.size() + points.size() < CellTable::most_candidates;
+  const bool fits = points.size() < CellTable::no_answer && places_.size() + points.size() < CellTable::most_candidates;
   const auto count = fits ? static_cast<std::uint32_t>(points.size()) : CellTable::no_answer;
-  const auto begin = fits ? static_cast<std::uint32_t>(candidates_.size()) : 0U;
+  const auto begin = fits ? static_cast<std::uint32_t>(places_.size()) : 0U;
   words_[cell] = CellTable::word(count, begin, unit_above(above), unit_below(below));
   if (!fits) return;
+  const double unit = place_unit(grid_, reach_);
+  const auto in_units = [&](double coordinate) {
+    return static_cast<std::int16_t>(std::lround((coordinate - 0.5 * grid_.tile) / unit));
+  };
   for (const CellPoint& point : points) {
-    candidates_.push_back(point.as_candidate);
+    places_.push_back({in_units(point.x), in_units(point.y)});
+    lines_.push_back(point.line);
     numbers_.push_back(point.number);
   }
 }

@@ -13,7 +13,7 @@ namespace slamicp {
 struct CellPoint {
   double x, y;  ///< from the tile's lower corner [m]
   int number;
-  Candidate as_candidate;
+  CellLine line;
 };
 
 /// @param place  from the tile's lower corner [m]
@@ -41,9 +41,9 @@ class CellBuilder {
 
  private:
   struct Square {
-    double x, y, side;  // lower corner
-    double to(const CellPoint& point) const noexcept;       // squared distance to its nearest place
-    double across(const CellPoint& point) const noexcept;   // squared distance to its farthest place
+    double x, y, side;                                     // lower corner
+    double to(const CellPoint& point) const noexcept;      // squared distance to its nearest place
+    double across(const CellPoint& point) const noexcept;  // squared distance to its farthest place
   };
   using Points = std::vector<CellPoint>;
 
@@ -68,11 +68,14 @@ class CellBuilder {
   };
   std::vector<Meeting> meetings_;  // which added point may matter to which cell
   std::array<std::uint32_t, tile_cells * tile_cells> words_{};
-  std::vector<Candidate> candidates_;
+  std::vector<CellPlace> places_;
+  std::vector<CellLine> lines_;
   std::vector<std::int32_t> numbers_;
 };
 
 /// The unit of a table's distance bounds [m].
 double distance_unit(const TileGrid& grid, double reach) noexcept;
+/// The unit of a table's places [m].
+double place_unit(const TileGrid& grid, double reach) noexcept;
 
 }  // namespace slamicp

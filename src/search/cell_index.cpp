@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unordered_map>
+
 #include <slamicp/error.hpp>
 #include <slamicp/search/cell_index.hpp>
-#include <unordered_map>
 
 #include "search/cell_state.hpp"
 #include "search/parallel.hpp"
@@ -141,8 +142,7 @@ void CellIndex::State::collect(const Tile& tile, std::vector<CellPoint>& found) 
                       for (std::size_t j = 0; j < other.numbers().size(); ++j) {
                         const int number = other.numbers()[j];
                         const Point2 place = all[static_cast<std::size_t>(number)] - corner;
-                        if (is_near(place))
-                          found.push_back(cell_point(place, number, lines ? (*lines)[j] : Line{}));
+                        if (is_near(place)) found.push_back(cell_point(place, number, lines ? (*lines)[j] : Line{}));
                       }
                     });
 }
@@ -177,7 +177,8 @@ std::size_t CellIndex::build(std::size_t tiles, const Point2& near) const {
   std::vector<CellPoint> room;
   std::size_t built = 0;
   const auto build_at = [&](const Tile* tile) {
-    if (tile != nullptr && tile->table() == nullptr && built < tiles && state.build_table(*tile, builder, room)) ++built;
+    if (tile != nullptr && tile->table() == nullptr && built < tiles && state.build_table(*tile, builder, room))
+      ++built;
   };
   if (can_be_found(near)) {
     constexpr int rings = 24;
@@ -208,6 +209,7 @@ std::uint64_t CellIndex::id() const noexcept { return state_->id; }
 const CellOptions& CellIndex::cell_options() const noexcept { return state_->cells; }
 double CellIndex::cell() const noexcept { return state_->grid.cell; }
 double CellIndex::tile() const noexcept { return state_->grid.tile; }
+double CellIndex::place_unit() const noexcept { return slamicp::place_unit(state_->grid, state_->cells.reach); }
 double CellIndex::distance_unit() const noexcept { return slamicp::distance_unit(state_->grid, state_->cells.reach); }
 
 std::size_t CellIndex::memory() const noexcept {
@@ -224,8 +226,7 @@ Surface2 CellIndex::surface(std::size_t number) const noexcept {
   Line line;
   if (lines) {
     const int column = TileGrid::within_tile(state_->grid.cell_of(point.x()));
-    const Tile::Piece piece =
-        tile->row_piece(TileGrid::within_tile(state_->grid.cell_of(point.y())), column, column);
+    const Tile::Piece piece = tile->row_piece(TileGrid::within_tile(state_->grid.cell_of(point.y())), column, column);
     std::uint32_t j = piece.begin;
     while (j < piece.end && tile->numbers()[j] != static_cast<int>(number)) ++j;
     if (j < piece.end) line = (*lines)[j];
@@ -246,13 +247,12 @@ Neighbour CellIndex::nearest(const Point2& query, double reach) const noexcept {
   const CellTable* table = tile ? tile->table() : &empty_table();
   if (table == nullptr) return state.search().nearest(query, reach);
 
-  const std::uint32_t word =
-      table->cells[TileGrid::within_tile(row) * tile_cells + TileGrid::within_tile(column)];
+  const std::uint32_t word = table->cells[TileGrid::within_tile(row) * tile_cells + TileGrid::within_tile(column)];
   const std::uint32_t count = CellTable::count_of(word);
   if (count == CellTable::no_answer) return state.search().nearest(query, reach);
   const double listed = std::min(reach, state.cells.reach);
   NearestVisitor visitor{listed * listed};
-  const std::int32_t* numbers = table->numbers() + CellTable::begin_of(word);
+  const std::int32_t* numbers = table->numbers() + CellTable::first_of(word);
   for (std::uint32_t j = 0; j < count; ++j)
     visitor.see(numbers[j], (points()[static_cast<std::size_t>(numbers[j])] - query).squaredNorm());
   if (visitor.best.found() || reach <= state.cells.reach) return visitor.best;
@@ -290,12 +290,13 @@ namespace {
 
 /// A table without points whose cells all say the same.
 struct PlainTable {
-  CellTable table;
-  Candidate nowhere{1e15F, 1e15F, 0, 0, 0.0F};
+  CellLine lines[CellTable::spare]{};
+  CellTable table{};
+  CellPlace places[CellTable::spare];
 
-  explicit PlainTable(std::uint32_t word) noexcept : table{} {
+  explicit PlainTable(std::uint32_t word) noexcept {
     std::fill(std::begin(table.cells), std::end(table.cells), word);
-    table.count = 1;
+    std::fill(std::begin(places), std::end(places), CellPlace{32767, 32767});
   }
 };
 

@@ -5,6 +5,11 @@
 
 namespace slamicp {
 
+void FreeTable::operator()(const CellTable* table) const noexcept {
+  if (table != nullptr)
+    ::operator delete(reinterpret_cast<char*>(const_cast<CellTable*>(table)) - lines_bytes(table->count));
+}
+
 Tile::Tile(TilePlace place, std::vector<int> numbers, PointView<2> points, const TileGrid& grid)
     : place_(place), numbers_(std::move(numbers)) {
   const auto cell_of = [&](int number) {
@@ -35,8 +40,7 @@ Tile::Tile(TilePlace place, std::vector<int> numbers, PointView<2> points, const
 std::size_t Tile::memory() const noexcept {
   std::size_t bytes = sizeof *this + numbers_.capacity() * sizeof(int) + starts_.capacity() * sizeof(std::uint32_t);
   if (const auto* built = lines()) bytes += sizeof *built + built->capacity() * sizeof(Line);
-  if (const CellTable* built = table())
-    bytes += sizeof *built + built->count * (sizeof(Candidate) + sizeof(std::int32_t));
+  if (const CellTable* built = table()) bytes += table_bytes(built->count);
   return bytes;
 }
 

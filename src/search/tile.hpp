@@ -58,9 +58,19 @@ struct Line {
 };
 
 struct FreeTable {
-  void operator()(const CellTable* table) const noexcept { ::operator delete(const_cast<CellTable*>(table)); }
+  void operator()(const CellTable* table) const noexcept;
 };
 using CellTablePointer = std::unique_ptr<const CellTable, FreeTable>;
+
+/// How much of a table of so many candidates lies in front of its head.
+constexpr std::size_t lines_bytes(std::uint32_t count) noexcept {
+  constexpr std::size_t whole = 64;  // so that heads begin a cache line where tables do
+  return (sizeof(CellLine) * (count + CellTable::spare) + whole - 1) / whole * whole;
+}
+constexpr std::size_t table_bytes(std::uint32_t count) noexcept {
+  return lines_bytes(count) + sizeof(CellTable) + sizeof(CellPlace) * (count + CellTable::spare) +
+         sizeof(std::int32_t) * count;
+}
 
 /// The map points in a square, by cell, and what was worked out from them: lines and the table of cells. Both are built
 /// once, by whoever comes first, and published for all readers.
@@ -90,7 +100,8 @@ class Tile {
     const std::uint64_t up_to = (std::uint64_t{2} << static_cast<unsigned>(last)) - 1;
     const std::uint64_t wanted = (in_row & up_to) >> static_cast<unsigned>(first);
     if (wanted == 0) return {0, 0};
-    const std::size_t rank = rank_[static_cast<std::size_t>(row >> 2)] + static_cast<std::size_t>(std::popcount(word & below));
+    const std::size_t rank =
+        rank_[static_cast<std::size_t>(row >> 2)] + static_cast<std::size_t>(std::popcount(word & below));
     return {starts_[rank], starts_[rank + static_cast<std::size_t>(std::popcount(wanted))]};
   }
 
@@ -115,10 +126,10 @@ class Tile {
 
  private:
   TilePlace place_;
-  std::vector<int> numbers_;              // by cell, then rising
+  std::vector<int> numbers_;                 // by cell, then rising
   std::array<std::uint64_t, 4> occupied_{};  // a bit a cell, four rows a word
-  std::array<std::uint16_t, 4> rank_{};   // occupied cells before each word
-  std::vector<std::uint32_t> starts_;     // into numbers_, one for each occupied cell, and the end
+  std::array<std::uint16_t, 4> rank_{};      // occupied cells before each word
+  std::vector<std::uint32_t> starts_;        // into numbers_, one for each occupied cell, and the end
   mutable std::atomic<const std::vector<Line>*> lines_{nullptr};
   mutable std::atomic<const CellTable*> table_{nullptr};
 };

@@ -76,7 +76,9 @@ TEST(IcpOutputsTest, SearchesAreMadeOnlyForPointsWhoseNeighbourMayHaveChanged) {
     SCOPED_TRACE("off by " + std::to_string(off));
     const PointCloud2 scan = test::transformed(Pose2{0.3, 0.2, 0.4}.inverse(), cloud);
     const Pose2 guess = Pose2{0.3, 0.2, 0.4} * Pose2{off, -off, 0.5 * off};
-    const IcpResult2 result = Icp<2>({.max_iterations = 1}).align(map, scan, guess, Outputs::all());
+    const IcpResult2 result =
+        Icp<2>({.max_iterations = 1, .coarse_to_fine = false, .instruction_set = InstructionSet::scalar})
+            .align(map, scan, guess, Outputs::all());
     EXPECT_EQ(result.searches, scan.size());
     std::size_t may_have_changed = 0;
     for (const Point2& point : scan) {

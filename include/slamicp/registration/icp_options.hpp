@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include <slamicp/registration/instruction_set.hpp>
 #include <slamicp/registration/robust_kernel.hpp>
 
 namespace slamicp {
@@ -41,13 +42,21 @@ struct IcpOptions {
   double final_gate = 0.0;
 
   /// How much the guess itself counts, as a share of the pairs: point to line then solves as if so many pairs held the
-  /// guess in every direction. It keeps a direction that the pairs hardly hold (along a corridor) where the guess has it,
-  /// and costs that share of the correction elsewhere. 0: not at all. In [0, 1].
+  /// guess in every direction. It keeps a direction that the pairs hardly hold (along a corridor) where the guess has
+  /// it, and costs that share of the correction elsewhere. 0: not at all. In [0, 1].
   double guess_share = 0.0;
 
   /// The match has converged when what is left to move is predicted to be below these. Smaller costs iterations.
   double translation_tolerance = 1e-4;  ///< [m], above 0
   double rotation_tolerance = 1e-4;     ///< [rad], above 0
+
+  /// In the plane the first steps look at every eighth point, then at every fourth, and at all of them as soon as a
+  /// step is small: a scan's neighbouring points say much the same. Scans of fewer than 200 points are always looked at
+  /// in full. False: every step looks at all points.
+  bool coarse_to_fine = true;
+
+  /// What matches in the plane are computed with; in space it is always `scalar`. For comparisons.
+  InstructionSet instruction_set = InstructionSet::best;
 
   /// O_t as used.
   double outlier_threshold() const noexcept { return outlier_distance.value_or(max_correspondence_distance); }

@@ -72,6 +72,8 @@ class CellIndex {
   double tile() const noexcept;
   /// In which unit a CellTable bounds distances [m].
   double distance_unit() const noexcept;
+  /// In which unit a CellTable has places [m].
+  double place_unit() const noexcept;
   /// Writes the tables of width x width tiles, row by row, the first at (x, y). Where nothing is within reach stands a
   /// table without candidates, where none is built one that cannot answer. They live as long as the index.
   void tables(int x, int y, int width, std::span<const CellTable*> tables) const noexcept;

@@ -8,7 +8,7 @@ namespace slamicp {
 /// How a plane map is cut into the cells of its index (CellIndex).
 struct CellOptions {
   /// Side of a cell [m]. Smaller cells have shorter lists and take more memory; larger than the spacing of the
-  /// map's points several times over, lists grow long. Rounded to a multiple of 1/65536 m. Range 0.005 to 1.
+  /// map's points several times over, lists grow long. Rounded to a multiple of 1/65536 m. Range 0.005 to 0.25.
   double cell = 0.05;
   /// Cells answer queries within this [m]: make it the larger of max_correspondence_distance and outlier_distance. A
   /// query beyond is answered too, more slowly. Memory grows with it. At most 15 cells.

@@ -9,44 +9,53 @@ namespace slamicp {
 /// Cells along a side of a tile.
 inline constexpr int tile_cells = 16;
 
-/// A map point that is nearest to some place of a cell, and the line that the map follows there. Coordinates relative
-/// to the tile's lower corner [m].
-struct Candidate {
-  float x, y;
-  std::int16_t normal_x, normal_y;  ///< of the line, times line_scale; both zero where there is no line
-  float offset;                     ///< of the line: the places p on it have normal . p = offset
+/// A place, from the centre of its tile, in CellIndex::place_unit(): good enough to tell which point is nearest, but
+/// for two as near as about 0.05 mm to each other in distance.
+struct CellPlace {
+  std::int16_t x, y;
+};
+
+/// The line that the map follows at a point.
+struct CellLine {
+  std::int16_t normal_x, normal_y;  ///< times line_scale; both zero where there is no line
+  float offset;  ///< [m]: the places p on it, from the lower corner of the tile, have normal . p = offset
 };
 
 inline constexpr float line_scale = 32767.0F;
 
 /// A tile of 16 x 16 cells as a match reads it: for each cell every map point that can be nearest to some place in it,
-/// side by side. Plain numbers at known places, so that vector code gathers from it; the candidates follow in memory,
-/// the points' numbers follow them.
+/// side by side. In memory the points' lines lie in front of this head, the last one first; the places behind it, then
+/// `spare` places far from everything, then the points' numbers: so that each is found from the head alone.
 struct CellTable {
-  /// A cell in one word: bits 0-5 how many candidates, 6-19 where they begin, 20-25 and 26-31 a bound from above and
-  /// from below on the distance from any place of the cell to the nearest point, in CellIndex::distance_unit().
+  /// A cell in one word: bits 0-5 how many candidates, 6-19 the first, 20-25 and 26-31 a bound from above and from
+  /// below on the distance from any place of the cell to the nearest point, in CellIndex::distance_unit().
   std::uint32_t cells[tile_cells * tile_cells];
-  std::uint32_t count;  ///< of all candidates; the first one is far from everything
+  std::uint32_t count;  ///< of all candidates
   std::uint32_t unused[3];
 
   /// As a count: the cell cannot answer, ask the index.
   static constexpr std::uint32_t no_answer = 63;
   static constexpr std::uint32_t most_candidates = 1U << 14U;  // of a tile
   static constexpr std::uint32_t farthest = 63;                // a distance bound: this far or farther
+  /// A reader may look at so many places at once, from any candidate on: those behind a list are map points too.
+  static constexpr std::uint32_t spare = 16;
 
-  static constexpr std::uint32_t word(std::uint32_t count, std::uint32_t begin, std::uint32_t above,
+  static constexpr std::uint32_t word(std::uint32_t count, std::uint32_t first, std::uint32_t above,
                                       std::uint32_t below) noexcept {
-    return count | (begin << 6U) | (above << 20U) | (below << 26U);
+    return count | (first << 6U) | (above << 20U) | (below << 26U);
   }
   static constexpr std::uint32_t count_of(std::uint32_t word) noexcept { return word & 63U; }
-  static constexpr std::uint32_t begin_of(std::uint32_t word) noexcept { return (word >> 6U) & 0x3FFFU; }
+  static constexpr std::uint32_t first_of(std::uint32_t word) noexcept { return (word >> 6U) & 0x3FFFU; }
   static constexpr std::uint32_t above_of(std::uint32_t word) noexcept { return (word >> 20U) & 63U; }
   static constexpr std::uint32_t below_of(std::uint32_t word) noexcept { return word >> 26U; }
 
-  const Candidate* candidates() const noexcept { return reinterpret_cast<const Candidate*>(this + 1); }
-  const std::int32_t* numbers() const noexcept { return reinterpret_cast<const std::int32_t*>(candidates() + count); }
+  const CellPlace* places() const noexcept { return reinterpret_cast<const CellPlace*>(this + 1); }
+  const CellLine& line(std::uint32_t k) const noexcept { return *(reinterpret_cast<const CellLine*>(this) - 1 - k); }
+  const std::int32_t* numbers() const noexcept {
+    return reinterpret_cast<const std::int32_t*>(places() + count + spare);
+  }
 };
 
-static_assert(sizeof(Candidate) == 16 && sizeof(CellTable) == 1040);
+static_assert(sizeof(CellPlace) == 4 && sizeof(CellLine) == 8 && sizeof(CellTable) == 1040);
 
 }  // namespace slamicp

@@ -1,0 +1,620 @@
+// SPDX-License-Identifier: Apache-2.0
+// The passes over a scan, once for every instruction set that includes this. No function here has a name that another
+// file could link to: what is compiled for a newer machine must not be run on an older one.
+//
+// A pass goes through the scan in blocks that stay in the first cache. In a block all points are placed in the map,
+// several at a time; then each finds its nearest candidate, several candidates at a time; then all pairs are summed,
+// several at a time.
+#include <hwy/highway.h>
+
+#include "registration/pass/pass.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace slamicp::pass {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<float, 16>;
+using DI = hn::RebindToSigned<D>;
+using DU = hn::RebindToUnsigned<D>;
+using D64 = hn::Repartition<std::uint64_t, D>;
+using V = hn::Vec<D>;
+using VI = hn::Vec<DI>;
+using VU = hn::Vec<DU>;
+using M = hn::Mask<D>;
+
+#define SLAMICP_PASS static HWY_INLINE HWY_MAYBE_UNUSED
+
+constexpr std::uint32_t lanes = static_cast<std::uint32_t>(hn::MaxLanes(D()));
+constexpr std::uint32_t block_size = 64;
+
+/// Up to 64 points at work.
+struct Block {
+  std::uint32_t begin, count;                            // which points of the sequence
+  HWY_ALIGN float px[block_size], py[block_size];        // in the robot's frame
+  HWY_ALIGN float rx[block_size], ry[block_size];        // turned into the map's axes
+  HWY_ALIGN float x[block_size], y[block_size];          // from the corner of the point's tile
+  HWY_ALIGN std::uint32_t place[block_size + 2];         // the same as a CellPlace
+  HWY_ALIGN std::uint32_t tile[block_size];              // into Window::tables
+  HWY_ALIGN std::uint32_t cell[block_size];              // into CellTable::cells
+  HWY_ALIGN std::uint32_t squared[block_size];           // distance to the nearest candidate, in units of places
+  HWY_ALIGN std::uint64_t line[block_size];              // CellLine of that candidate
+  HWY_ALIGN float map_x[block_size], map_y[block_size];  // that candidate, from the corner of the robot's tile
+  std::uint64_t undecided;                               // a bit for each point that the tables cannot answer
+};
+
+/// Points first, first + stride, ... of the scan.
+struct Sequence {
+  ScanColumns scan;
+  std::uint32_t stride;
+
+  HWY_INLINE std::uint32_t count() const { return (scan.count - stride / 2 + stride - 1) / stride; }
+  HWY_INLINE std::uint32_t index(std::uint32_t k) const { return stride / 2 + k * stride; }
+};
+
+/// Loads points of the sequence; behind its end they are absent.
+SLAMICP_PASS void load_block(const Sequence& sequence, std::uint32_t begin, Block& block) {
+  const D d;
+  block.begin = begin;
+  const std::uint32_t left = sequence.count() - begin;
+  block.count = left < block_size ? left : block_size;
+  if (sequence.stride == 1) {
+    for (std::uint32_t k = 0; k < block.count; k += lanes) {
+      hn::Store(hn::LoadU(d, sequence.scan.x + begin + k), d, block.px + k);
+      hn::Store(hn::LoadU(d, sequence.scan.y + begin + k), d, block.py + k);
+    }
+    return;
+  }
+  std::uint32_t k = 0;
+  for (; k < block.count; ++k) {
+    block.px[k] = sequence.scan.x[sequence.index(begin + k)];
+    block.py[k] = sequence.scan.y[sequence.index(begin + k)];
+  }
+  for (; k % lanes != 0; ++k) block.px[k] = block.py[k] = absent;
+}
+
+/// The largest whole number not above v, which a float can be cut to.
+SLAMICP_PASS VI floor(V v) {
+  const D d;
+  const DI di;
+#if HWY_TARGET == HWY_SCALAR
+  const VI cut = hn::Set(di, static_cast<std::int32_t>(hn::GetLane(v)));  // ConvertTo minds what cannot be here
+#else
+  const VI cut = hn::ConvertTo(di, v);
+#endif
+  const M above = hn::Gt(hn::ConvertTo(d, cut), v);
+  return hn::Add(cut, hn::BitCast(di, hn::VecFromMask(d, above)));  // all bits set: minus one
+}
+
+SLAMICP_PASS VI rounded(V v) {
+#if HWY_TARGET == HWY_SCALAR
+  return floor(hn::Add(v, hn::Set(D(), 0.5F)));
+#else
+  return hn::NearestInt(v);
+#endif
+}
+
+/// Moves the block's points into the map and finds their cells.
+SLAMICP_PASS void place_block(const Window& window, const Place& place, Block& block) {
+  const D d;
+  const DI di;
+  const DU du;
+  const V cosine = hn::Set(d, place.cosine);
+  const V sine = hn::Set(d, place.sine);
+  const V origin_x = hn::Set(d, place.x);
+  const V origin_y = hn::Set(d, place.y);
+  const V per_metre = hn::Set(d, window.cells_per_metre);
+  const V side = hn::Set(d, window.tile);
+  const V half = hn::Set(d, 0.5F * window.tile);
+  const V units = hn::Set(d, window.units_per_metre);
+  const V most = hn::Set(d, 1e6F);
+  const V least = hn::Set(d, -1e6F);
+  const VI fifteen = hn::Set(di, 15);
+  const VI width = hn::Set(di, window.width);
+  const VU limit = hn::BitCast(du, width);
+  const VI column = hn::Set(di, window.column);
+  const VI row = hn::Set(di, window.row);
+  const VI outside = hn::Mul(width, width);
+  for (std::uint32_t k = 0; k < block.count; k += lanes) {
+    const V px = hn::Load(d, block.px + k);
+    const V py = hn::Load(d, block.py + k);
+    const V rx = hn::NegMulAdd(sine, py, hn::Mul(cosine, px));
+    const V ry = hn::MulAdd(sine, px, hn::Mul(cosine, py));
+    const V x = hn::Add(rx, origin_x);
+    const V y = hn::Add(ry, origin_y);
+    const VI u = floor(hn::Min(hn::Max(hn::Mul(x, per_metre), least), most));
+    const VI v = floor(hn::Min(hn::Max(hn::Mul(y, per_metre), least), most));
+    const VI tile_u = hn::ShiftRight<4>(u);
+    const VI tile_v = hn::ShiftRight<4>(v);
+    const V corner_x = hn::Mul(hn::ConvertTo(d, tile_u), side);
+    const V corner_y = hn::Mul(hn::ConvertTo(d, tile_v), side);
+    const VI at_u = hn::Add(tile_u, column);
+    const VI at_v = hn::Add(tile_v, row);
+    const auto inside = hn::And(hn::Lt(hn::BitCast(du, at_u), limit), hn::Lt(hn::BitCast(du, at_v), limit));
+    const VI tile = hn::IfThenElse(hn::RebindMask(di, inside), hn::Add(hn::Mul(at_v, width), at_u), outside);
+    const VI cell = hn::Or(hn::ShiftLeft<4>(hn::And(v, fifteen)), hn::And(u, fifteen));
+    hn::Store(rx, d, block.rx + k);
+    hn::Store(ry, d, block.ry + k);
+    const V in_tile_x = hn::Sub(x, corner_x);
+    const V in_tile_y = hn::Sub(y, corner_y);
+    hn::Store(in_tile_x, d, block.x + k);
+    hn::Store(in_tile_y, d, block.y + k);
+    // What lies outside may be anywhere: it has no candidates, but must not come near the place that stands for none.
+    const VI place_x = rounded(hn::Mul(units, hn::Min(hn::Max(hn::Sub(in_tile_x, half), hn::Neg(half)), half)));
+    const VI place_y = rounded(hn::Mul(units, hn::Min(hn::Max(hn::Sub(in_tile_y, half), hn::Neg(half)), half)));
+    const VU both =
+        hn::Or(hn::And(hn::BitCast(du, place_x), hn::Set(du, 0xFFFFU)), hn::ShiftLeft<16>(hn::BitCast(du, place_y)));
+    hn::Store(both, du, block.place + k);
+    hn::Store(hn::BitCast(du, tile), du, block.tile + k);
+    hn::Store(hn::BitCast(du, cell), du, block.cell + k);
+  }
+}
+
+// Candidates are compared by their squared distance in whole units, whose lowest four bits say which one it is.
+constexpr std::uint32_t which_bits = 15;
+constexpr std::uint32_t far = 0x7FFFFFF0U;  // a squared distance beyond all
+constexpr std::uint32_t places_at_once = 16;
+
+struct Found {
+  std::uint32_t squared;
+  std::uint32_t which;  // from the first of the list
+};
+
+#if HWY_TARGET != HWY_SCALAR
+
+/// The least lane.
+template <class Tag>
+SLAMICP_PASS std::uint32_t least(Tag tag, hn::Vec<Tag> v) {
+  if constexpr (hn::MaxLanes(Tag()) > 4) {
+    const hn::Half<Tag> half;
+    return least(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
+  } else {
+    const auto pairs = hn::Min(v, hn::Shuffle1032(v));
+    (void)tag;
+    return hn::GetLane(hn::Min(pairs, hn::Shuffle2301(pairs)));
+  }
+}
+
+/// Squared distances of the places from `first` on, with the number of each in the lowest bits.
+template <std::uint32_t first>
+SLAMICP_PASS VU squared_distances(const CellPlace* places, VU point) {
+  const DI di;
+  const DU du;
+  const hn::Repartition<std::int16_t, D> d16;
+  const auto all = hn::LoadU(d16, reinterpret_cast<const std::int16_t*>(places + first));
+  const auto off = hn::SaturatedSub(all, hn::BitCast(d16, point));
+  VI other = hn::Zero(di);
+  const VI products = hn::ReorderWidenMulAccumulate(di, off, off, hn::Zero(di), other);
+  const VU squared = hn::BitCast(du, hn::RearrangeToOddPlusEven(products, other));
+  return hn::Or(hn::AndNot(hn::Set(du, which_bits), squared), hn::Iota(du, first));
+}
+
+/// The least of the first groups of places, lane by lane.
+template <std::uint32_t vectors>
+SLAMICP_PASS VU least_of(const CellPlace* places, VU point) {
+  const VU last = squared_distances<(vectors - 1) * lanes>(places, point);
+  if constexpr (vectors == 1)
+    return last;
+  else
+    return hn::Min(least_of<vectors - 1>(places, point), last);
+}
+
+/// The nearest of the first 16 places.
+SLAMICP_PASS std::uint32_t nearest_of_first(const CellPlace* places, std::uint32_t point) {
+  const DU du;
+  return least(du, least_of<places_at_once / lanes>(places, hn::Set(du, point)));
+}
+
+/// How many of the first 16 places have a squared distance below `bound`, the number in its lowest bits included.
+SLAMICP_PASS std::uint32_t which_below(const CellPlace* places, std::uint32_t point, std::uint32_t bound) {
+  std::uint32_t bits = 0;
+  const auto look = [&](auto first) {
+    const DU du;
+    const VU squared = squared_distances<first>(places, hn::Set(du, point));
+    const auto below = hn::Lt(hn::BitCast(DI(), squared), hn::BitCast(DI(), hn::Set(du, bound)));
+    HWY_ALIGN std::uint8_t stored[8] = {};
+    hn::StoreMaskBits(DI(), below, stored);
+    std::uint32_t now;
+    hwy::CopyBytes<4>(stored, &now);
+    bits |= now << first;
+  };
+  look(std::integral_constant<std::uint32_t, 0>());
+  if constexpr (lanes < 16) look(std::integral_constant<std::uint32_t, lanes % 16>());
+  if constexpr (lanes < 8) {
+    look(std::integral_constant<std::uint32_t, 2 * lanes % 16>());
+    look(std::integral_constant<std::uint32_t, 3 * lanes % 16>());
+  }
+  return bits;
+}
+
+#else  // one lane: candidates one by one
+
+/// Half the squared distance: the whole may not fit.
+SLAMICP_PASS std::uint32_t half_squared_distance(CellPlace place, std::int32_t x, std::int32_t y) {
+  const auto dx = static_cast<std::uint32_t>(place.x - x);
+  const auto dy = static_cast<std::uint32_t>(place.y - y);
+  return (dx * dx >> 1U) + (dy * dy >> 1U);
+}
+
+SLAMICP_PASS std::int32_t x_of(std::uint32_t point) { return static_cast<std::int16_t>(point & 0xFFFFU); }
+SLAMICP_PASS std::int32_t y_of(std::uint32_t point) { return static_cast<std::int16_t>(point >> 16U); }
+
+SLAMICP_PASS std::uint32_t which_below(const CellPlace* places, std::uint32_t point, std::uint32_t bound) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t k = 0; k < places_at_once; ++k)
+    bits |= (half_squared_distance(places[k], x_of(point), y_of(point)) < bound / 2 ? 1U : 0U) << k;
+  return bits;
+}
+
+#endif
+
+/// The nearest of `count` candidates. It may look at whole groups of places, the last of which goes on behind the list:
+/// those are map points too.
+SLAMICP_PASS Found find_nearest(const CellPlace* places, std::uint32_t count, std::uint32_t point) {
+#if HWY_TARGET == HWY_SCALAR
+  const std::int32_t x = x_of(point);
+  const std::int32_t y = y_of(point);
+  std::uint64_t best = std::uint64_t{far / 2} << 32U;  // distance, then number: one comparison without a branch
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint64_t now = (std::uint64_t{half_squared_distance(places[k], x, y)} << 32U) | k;
+    best = now < best ? now : best;
+  }
+  return {static_cast<std::uint32_t>(best >> 32U) * 2, static_cast<std::uint32_t>(best)};
+#else
+  const std::uint32_t first = nearest_of_first(places, point);
+  Found best{first, first & which_bits};
+  for (std::uint32_t k = places_at_once; HWY_UNLIKELY(k < count); k += places_at_once) {
+    const std::uint32_t now = nearest_of_first(places + k, point);
+    if ((now & ~which_bits) < (best.squared & ~which_bits)) best = {now, k + (now & which_bits)};
+  }
+  return best;
+#endif
+}
+
+SLAMICP_PASS std::uint32_t first_of(std::uint32_t word) { return (word >> 6U) & 0x3FFFU; }
+SLAMICP_PASS const CellPlace* places_of(const CellTable* table) {
+  return reinterpret_cast<const CellPlace*>(table + 1);
+}
+
+SLAMICP_PASS const std::int32_t* numbers_of(const CellTable* table) {
+  return reinterpret_cast<const std::int32_t*>(places_of(table) + table->count + CellTable::spare);
+}
+
+/// Finds the nearest candidate of every point of the block.
+/// @tparam want_place  the candidate's place, else its line
+template <bool want_place>
+SLAMICP_PASS void search_block(const Request& request, Block& block) {
+  block.undecided = 0;
+  for (std::uint32_t i = 0; i < block.count; ++i) {
+    const CellTable* table = request.window.tables[block.tile[i]];
+    const std::uint32_t word = table->cells[block.cell[i]];
+    const std::uint32_t first = first_of(word);
+    std::uint32_t count = word & 63U;
+    if (HWY_UNLIKELY(count == CellTable::no_answer)) {
+      block.undecided |= std::uint64_t{1} << i;
+      count = 0;
+    }
+    Found found = find_nearest(places_of(table) + first, count, block.place[i]);
+    if (HWY_UNLIKELY((block.undecided >> i) & 1U)) found.squared = far;
+    block.squared[i] = found.squared & ~which_bits;
+    if constexpr (want_place) {
+      block.map_x[i] = block.map_y[i] = 0.0F;
+      if (block.squared[i] > request.gate.beyond) continue;
+      const double* point =
+          request.map_points + 2 * static_cast<std::ptrdiff_t>(numbers_of(table)[first + found.which]);
+      block.map_x[i] = static_cast<float>(point[0] - request.corner_x);
+      block.map_y[i] = static_cast<float>(point[1] - request.corner_y);
+    } else {
+      hwy::CopyBytes<8>(reinterpret_cast<const CellLine*>(table) - 1 - first - found.which, block.line + i);
+    }
+  }
+  for (std::uint32_t i = block.count; i % lanes != 0; ++i) block.squared[i] = far;
+}
+
+/// Which points of the block have their pair within the gate, and which are to be decided in double.
+struct Verdict {
+  M hit;
+  M open;
+};
+
+SLAMICP_PASS Verdict judge(const Request& request, const Block& block, std::uint32_t k) {
+  const D d;
+  const DU du;
+  const VU squared = hn::Load(du, block.squared + k);
+  const M hit = hn::RebindMask(d, hn::Lt(squared, hn::Set(du, request.gate.sure)));
+  const M beyond = hn::RebindMask(d, hn::Lt(hn::Set(du, request.gate.beyond), squared));
+  return {hit, hn::Not(hn::Or(hit, beyond))};
+}
+
+/// Notes the points that are to be decided in double.
+SLAMICP_PASS std::uint32_t note_undecided(const Request& request, const Sequence& sequence, const Block& block,
+                                          std::uint32_t noted) {
+  for (std::uint32_t i = 0; i < block.count; ++i) {
+    const std::uint32_t squared = block.squared[i];
+    const bool is_near = squared >= request.gate.sure && squared <= request.gate.beyond;
+    const bool is_beyond = request.looks_farther && squared > request.gate.beyond;
+    const bool is_open = ((block.undecided >> i) & 1U) != 0 || is_near || is_beyond;
+    if (is_open && block.px[i] < absent) request.undecided[noted++] = sequence.index(block.begin + i);
+  }
+  return noted;
+}
+
+SLAMICP_PASS V kernel_weights(RobustKernel kernel, float scale, V residual) {
+  const D d;
+  const V one = hn::Set(d, 1.0F);
+  const V ratio = hn::Mul(residual, hn::Set(d, 1.0F / scale));
+  const V square = hn::Mul(ratio, ratio);
+  switch (kernel) {
+    case RobustKernel::none:
+      return one;
+    case RobustKernel::huber:
+      return hn::IfThenElse(hn::Le(square, one), one, hn::Div(one, hn::Abs(ratio)));
+    case RobustKernel::cauchy:
+      return hn::Div(one, hn::Add(one, square));
+    case RobustKernel::geman_mcclure: {
+      const V half = hn::Add(one, square);
+      return hn::Div(one, hn::Mul(half, half));
+    }
+    case RobustKernel::tukey: {
+      const V left = hn::Max(hn::Sub(one, square), hn::Zero(d));
+      return hn::Mul(left, left);
+    }
+  }
+  return one;
+}
+
+SLAMICP_PASS double sum(V v) { return static_cast<double>(hn::GetLane(hn::SumOfLanes(D(), v))); }
+
+template <bool weighted>
+SLAMICP_PASS void line_pass_as(const Request& request, LineSums* sums) {
+  const D d;
+  const DI di;
+  const DU du;
+  const Sequence sequence{request.scan, request.stride};
+  const std::uint32_t count = sequence.count();
+  const V unit = hn::Set(d, 1.0F / line_scale);
+  V xx = hn::Zero(d), xy = xx, yy = xx, xt = xx, yt = xx, tt = xx, gx = xx, gy = xx, gt = xx, ranges = xx;
+  std::size_t pairs = 0;
+  std::uint32_t undecided = 0;
+  Block block;
+  for (std::uint32_t begin = 0; begin < count; begin += block_size) {
+    load_block(sequence, begin, block);
+    place_block(request.window, request.place, block);
+    search_block<false>(request, block);
+    M open = hn::FirstN(d, 0);
+
+    for (std::uint32_t k = 0; k < block.count; k += lanes) {
+      const Verdict verdict = judge(request, block, k);
+      const M hit = verdict.hit;
+      open = hn::Or(open, verdict.open);
+      VU packed, offset;
+      hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(block.line + k), packed, offset);
+      const VI normal = hn::IfThenElseZero(hn::RebindMask(di, hit), hn::BitCast(di, packed));
+      const V nx = hn::Mul(unit, hn::ConvertTo(d, hn::ShiftRight<16>(hn::ShiftLeft<16>(normal))));
+      const V ny = hn::Mul(unit, hn::ConvertTo(d, hn::ShiftRight<16>(normal)));
+      const V x = hn::Load(d, block.x + k);
+      const V y = hn::Load(d, block.y + k);
+      const V rx = hn::Load(d, block.rx + k);
+      const V ry = hn::Load(d, block.ry + k);
+      const M used_lines = hn::RebindMask(d, hn::Ne(normal, hn::Zero(di)));
+      const V line_offset = hn::IfThenElseZero(used_lines, hn::BitCast(d, offset));
+      const V residual = hn::NegMulAdd(nx, x, hn::NegMulAdd(ny, y, line_offset));
+      const V turn = hn::Sub(hn::Mul(ny, rx), hn::Mul(nx, ry));
+      M used = used_lines;
+      V wx = nx, wy = ny, wt = turn;
+      if constexpr (weighted) {
+        const V weight = kernel_weights(request.kernel, request.kernel_scale, residual);
+        wx = hn::Mul(wx, weight);
+        wy = hn::Mul(wy, weight);
+        wt = hn::Mul(wt, weight);
+        used = hn::And(used, hn::Gt(weight, hn::Zero(d)));
+      }
+      xx = hn::MulAdd(wx, nx, xx);
+      xy = hn::MulAdd(wx, ny, xy);
+      yy = hn::MulAdd(wy, ny, yy);
+      xt = hn::MulAdd(wx, turn, xt);
+      yt = hn::MulAdd(wy, turn, yt);
+      tt = hn::MulAdd(wt, turn, tt);
+      gx = hn::MulAdd(wx, residual, gx);
+      gy = hn::MulAdd(wy, residual, gy);
+      gt = hn::MulAdd(wt, residual, gt);
+      ranges = hn::Add(ranges, hn::IfThenElseZero(used, hn::MulAdd(rx, rx, hn::Mul(ry, ry))));
+      pairs += hn::CountTrue(d, used);
+    }
+    if (HWY_UNLIKELY(block.undecided != 0 || request.looks_farther || !hn::AllFalse(d, open)))
+      undecided = note_undecided(request, sequence, block, undecided);
+  }
+  *sums = {sum(xx),
+           sum(xy),
+           sum(yy),
+           sum(xt),
+           sum(yt),
+           sum(tt),
+           sum(gx),
+           sum(gy),
+           sum(gt),
+           sum(ranges),
+           static_cast<std::uint32_t>(pairs),
+           undecided};
+}
+
+SLAMICP_PASS void line_pass(const Request& request, LineSums* sums) noexcept {
+  if (request.kernel == RobustKernel::none)
+    line_pass_as<false>(request, sums);
+  else
+    line_pass_as<true>(request, sums);
+}
+
+SLAMICP_PASS void point_pass(const Request& request, PointSums* sums) noexcept {
+  const D d;
+  const Sequence sequence{request.scan, request.stride};
+  const std::uint32_t count = sequence.count();
+  const V origin_x = hn::Set(d, request.place.x);
+  const V origin_y = hn::Set(d, request.place.y);
+  V w = hn::Zero(d), sx = w, sy = w, tx = w, ty = w, xx = w, xy = w, yx = w, yy = w, ranges = w;
+  std::size_t pairs = 0;
+  std::uint32_t undecided = 0;
+  Block block;
+  for (std::uint32_t begin = 0; begin < count; begin += block_size) {
+    load_block(sequence, begin, block);
+    place_block(request.window, request.place, block);
+    search_block<true>(request, block);
+    M open = hn::FirstN(d, 0);
+
+    for (std::uint32_t k = 0; k < block.count; k += lanes) {
+      const Verdict verdict = judge(request, block, k);
+      const M hit = verdict.hit;
+      open = hn::Or(open, verdict.open);
+      const V map_x = hn::Load(d, block.map_x + k);
+      const V map_y = hn::Load(d, block.map_y + k);
+      const V dx = hn::Sub(map_x, hn::Add(hn::Load(d, block.rx + k), origin_x));
+      const V dy = hn::Sub(map_y, hn::Add(hn::Load(d, block.ry + k), origin_y));
+      const V distance = hn::Sqrt(hn::IfThenElseZero(hit, hn::MulAdd(dx, dx, hn::Mul(dy, dy))));
+      const V weight = hn::IfThenElseZero(hit, kernel_weights(request.kernel, request.kernel_scale, distance));
+      const M used = hn::Gt(weight, hn::Zero(d));
+      // Where there is no pair, coordinates may be large, and infinity times nothing is not nothing.
+      const V mx = hn::IfThenElseZero(used, map_x);
+      const V my = hn::IfThenElseZero(used, map_y);
+      const V px = hn::IfThenElseZero(used, hn::Load(d, block.px + k));
+      const V py = hn::IfThenElseZero(used, hn::Load(d, block.py + k));
+      const V wpx = hn::Mul(weight, px);
+      const V wpy = hn::Mul(weight, py);
+      w = hn::Add(w, weight);
+      sx = hn::Add(sx, wpx);
+      sy = hn::Add(sy, wpy);
+      tx = hn::MulAdd(weight, mx, tx);
+      ty = hn::MulAdd(weight, my, ty);
+      xx = hn::MulAdd(mx, wpx, xx);
+      xy = hn::MulAdd(mx, wpy, xy);
+      yx = hn::MulAdd(my, wpx, yx);
+      yy = hn::MulAdd(my, wpy, yy);
+      ranges = hn::Add(ranges, hn::MulAdd(px, px, hn::Mul(py, py)));
+      pairs += hn::CountTrue(d, used);
+    }
+    if (HWY_UNLIKELY(block.undecided != 0 || request.looks_farther || !hn::AllFalse(d, open)))
+      undecided = note_undecided(request, sequence, block, undecided);
+  }
+  *sums = {sum(w),
+           sum(sx),
+           sum(sy),
+           sum(tx),
+           sum(ty),
+           sum(xx),
+           sum(xy),
+           sum(yx),
+           sum(yy),
+           sum(ranges),
+           static_cast<std::uint32_t>(pairs),
+           undecided};
+}
+
+/// What a single point's cell, or its nearest candidate, says about the threshold.
+SLAMICP_PASS bool is_outlier(const OutlierRequest& request, const CellTable* table, std::uint32_t word,
+                             std::uint32_t point, bool* is_unsure) {
+  *is_unsure = false;
+  if ((word >> 26U) >= request.sure_outside) return true;
+  const std::uint32_t count = word & 63U;
+  *is_unsure = count == CellTable::no_answer;
+  if (*is_unsure) return true;
+  const std::uint32_t squared = find_nearest(places_of(table) + first_of(word), count, point).squared & ~which_bits;
+  if (squared < request.threshold.sure) return false;
+  *is_unsure = request.looks_farther || squared <= request.threshold.beyond;
+  return true;
+}
+
+SLAMICP_PASS std::uint32_t outlier_pass(const OutlierRequest& request) noexcept {
+  const Sequence sequence{request.scan, 1};
+  std::uint32_t found = 0;
+  Block block;
+  for (std::uint32_t begin = 0; begin < request.scan.count; begin += block_size) {
+    load_block(sequence, begin, block);
+    place_block(request.window, request.place, block);
+    for (std::uint32_t i = 0; i < block.count; ++i) {
+      const CellTable* table = request.window.tables[block.tile[i]];
+      const std::uint32_t word = table->cells[block.cell[i]];
+      if (HWY_LIKELY(((word >> 20U) & 63U) <= request.sure_inside)) continue;
+      bool is_unsure;
+      if (!(block.px[i] < absent) || !is_outlier(request, table, word, block.place[i], &is_unsure)) continue;
+      request.found[found++] = (begin + i) | (is_unsure ? unsure : 0U);
+    }
+  }
+  return found;
+}
+
+SLAMICP_PASS void match_pass(const MatchRequest& request) noexcept {
+  const Sequence sequence{request.scan, 1};
+  Block block;
+  for (std::uint32_t begin = 0; begin < request.scan.count; begin += block_size) {
+    load_block(sequence, begin, block);
+    place_block(request.window, request.place, block);
+    for (std::uint32_t i = 0; i < block.count; ++i) {
+      const CellTable* table = request.window.tables[block.tile[i]];
+      const std::uint32_t word = table->cells[block.cell[i]];
+      const std::uint32_t count = word & 63U;
+      const std::uint32_t first = first_of(word);
+      std::int32_t number = no_match;
+      if (HWY_UNLIKELY(count == CellTable::no_answer)) {
+        number = block.px[i] < absent ? ask : no_match;
+      } else {
+        const CellPlace* places = places_of(table) + first;
+        const Found found = find_nearest(places, count, block.place[i]);
+        const std::uint32_t squared = found.squared & ~which_bits;
+        if (HWY_LIKELY(squared < request.reach.sure)) {
+          number = numbers_of(table)[first + found.which];
+          // Alike in distance to within the margin: (d + margin)^2.
+          const auto d2 = static_cast<float>(squared);
+          const float root = hn::GetLane(hn::Sqrt(hn::Set(hn::CappedTag<float, 1>(), d2)));
+          const auto bound =
+              static_cast<std::uint32_t>(d2 + request.margin * (2.0F * root + request.margin)) + 2 * which_bits;
+          const std::uint32_t listed = count < places_at_once ? (1U << count) - 1U : ~0U;
+          const std::uint32_t rivals = which_below(places, block.place[i], bound) & listed;
+          if (HWY_UNLIKELY((rivals & (rivals - 1)) != 0 || count > places_at_once)) number = ask;
+        } else if (squared <= request.reach.beyond) {
+          number = ask;
+        }
+      }
+      request.numbers[begin + i] = number;
+    }
+  }
+}
+
+SLAMICP_PASS std::uint32_t to_columns(const double* xy, std::uint32_t count, float* x, float* y,
+                                      float* farthest) noexcept {
+  const D d;
+  const V too_large = hn::Set(d, 1e7F);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    x[i] = static_cast<float>(xy[2 * i]);
+    y[i] = static_cast<float>(xy[2 * i + 1]);
+  }
+  for (std::uint32_t i = count; i < count + padding; ++i) x[i] = y[i] = absent;
+  V most = hn::Zero(d);
+  std::uint32_t usable = 0;
+  for (std::uint32_t k = 0; k < count; k += lanes) {
+    const V px = hn::LoadU(d, x + k);
+    const V py = hn::LoadU(d, y + k);
+    const V size = hn::Max(hn::Abs(px), hn::Abs(py));
+    const M good = hn::And(hn::And(hn::Eq(px, px), hn::Eq(py, py)), hn::Lt(size, too_large));
+    hn::StoreU(hn::IfThenElse(good, px, hn::Set(d, absent)), d, x + k);
+    hn::StoreU(hn::IfThenElseZero(good, py), d, y + k);
+    most = hn::Max(most, hn::IfThenElseZero(good, size));
+    usable += static_cast<std::uint32_t>(hn::CountTrue(d, good));
+  }
+  *farthest = hn::GetLane(hn::MaxOfLanes(d, most));
+  if (HWY_LIKELY(usable == count)) return count;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double nothing = (xy[2 * i] - xy[2 * i]) + (xy[2 * i + 1] - xy[2 * i + 1]);
+    if (x[i] != absent || !(nothing == 0.0)) continue;
+    x[i] = far_away;  // a number, but too large for a float
+    ++usable;
+  }
+  return usable;
+}
+
+constexpr Passes all_passes{to_columns, line_pass, point_pass, outlier_pass, match_pass};
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace slamicp::pass
+HWY_AFTER_NAMESPACE();

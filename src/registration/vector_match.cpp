@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/vector_match.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slamicp {
+namespace {
+
+// Tiles that the robot can move before the window is opened anew, and the most from its middle to its edge.
+constexpr int to_spare = 4;
+constexpr int most_tiles = 120;
+
+}  // namespace
+
+void VectorMatch::reserve(std::size_t points) {
+  x_.resize(std::max(x_.size(), points + pass::padding));
+  y_.resize(std::max(y_.size(), points + pass::padding));
+  list_.resize(std::max(list_.size(), points + pass::padding));
+  numbers_.resize(std::max(numbers_.size(), points));
+  constexpr auto widest = static_cast<std::size_t>(2 * most_tiles + 1);
+  tables_.reserve(widest * widest + 1);
+}
+
+std::size_t VectorMatch::begin(const CellIndex& map, PointView<2> scan) {
+  map_ = &map;
+  scan_ = scan;
+  searches_ = 0;
+  reserve(scan.size());
+  const auto count = static_cast<std::uint32_t>(scan.size());
+  return passes_->to_columns(count > 0 ? scan.front().data() : nullptr, count, x_.data(), y_.data(), &farthest_);
+}
+
+/// Opens the window on the tiles around the robot's.
+void VectorMatch::open_window(int column, int row) noexcept {
+  const double tiles = std::ceil(std::sqrt(2.0) * static_cast<double>(farthest_) / map_->tile());
+  const int half = static_cast<int>(std::min(tiles, static_cast<double>(most_tiles - to_spare))) + to_spare;
+  width_ = 2 * half + 1;
+  left_ = column - half;
+  bottom_ = row - half;
+  tables_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(width_) + 1);
+  tables_of_ = map_->id();
+  tables_built_ = map_->builds();
+  map_->tables(left_, bottom_, width_, std::span(tables_).first(tables_.size() - 1));
+  // What lies outside is asked for one by one, but for a window as wide as the scan.
+  tables_.back() = tiles > most_tiles - to_spare ? &CellIndex::unbuilt_table() : &CellIndex::empty_table();
+}
+
+pass::Window VectorMatch::window_at(const Pose2& pose) noexcept {
+  constexpr double last = 1e8;
+  column_ = static_cast<int>(std::floor(std::clamp(pose.x / map_->tile(), -last, last)));
+  row_ = static_cast<int>(std::floor(std::clamp(pose.y / map_->tile(), -last, last)));
+  const int half = width_ / 2;
+  const bool is_near = std::abs(column_ - left_ - half) <= to_spare && std::abs(row_ - bottom_ - half) <= to_spare;
+  const bool is_wide = (half - to_spare) * map_->tile() >= std::min(std::sqrt(2.0) * static_cast<double>(farthest_),
+                                                                    (most_tiles - to_spare) * map_->tile());
+  const bool is_current = tables_of_ == map_->id() && tables_built_ == map_->builds();
+  if (!is_near || !is_wide || !is_current) open_window(column_, row_);
+  return {tables_.data(),
+          width_,
+          column_ - left_,
+          row_ - bottom_,
+          static_cast<float>(1.0 / map_->cell()),
+          static_cast<float>(map_->tile()),
+          static_cast<float>(1.0 / map_->place_unit())};
+}
+
+Point2 VectorMatch::corner() const noexcept { return {column_ * map_->tile(), row_ * map_->tile()}; }
+
+pass::Place VectorMatch::place_of(const Pose2& pose) const noexcept {
+  const Point2 from_corner = pose.translation() - corner();
+  return {static_cast<float>(std::cos(pose.theta)), static_cast<float>(std::sin(pose.theta)),
+          static_cast<float>(from_corner.x()), static_cast<float>(from_corner.y())};
+}
+
+/// How far a distance can be off by rounding [m], and more: to float in the scan, to units in the places, and by what
+/// tells candidates apart.
+double VectorMatch::margin() const noexcept {
+  return std::max(1e-5, 4e-7 * static_cast<double>(farthest_)) + 2.0 * map_->place_unit();
+}
+
+pass::Limit VectorMatch::limit(double distance) const noexcept {
+  constexpr double most = 2e9;
+  const double sure = std::max(distance - margin(), 0.0) / map_->place_unit();
+  const double beyond = (distance + margin()) / map_->place_unit();
+  return {static_cast<std::uint32_t>(std::min(sure * sure, most)),
+          static_cast<std::uint32_t>(std::min(beyond * beyond, most))};
+}
+
+pass::Request VectorMatch::request(const StepInput<2>& input) noexcept {
+  searches_ += (input.scan.size() - input.stride / 2 + input.stride - 1) / input.stride;
+  const pass::Window window = window_at(input.pose);
+  return {columns(),
+          static_cast<std::uint32_t>(input.stride),
+          window,
+          place_of(input.pose),
+          limit(std::min(input.gate, map_->cell_options().reach)),
+          input.gate > map_->cell_options().reach,
+          input.kernel,
+          static_cast<float>(input.kernel_scale),
+          map_->points().empty() ? nullptr : map_->points().front().data(),
+          corner().x(),
+          corner().y(),
+          list_.data()};
+}
+
+Step<2> VectorMatch::point_to_surface_step(const StepInput<2>& input) noexcept {
+  pass::LineSums sums;
+  passes_->lines(request(input), &sums);
+  // From the map's axes into the robot's: the unknowns turn with the pose.
+  Eigen::Matrix3d information;
+  information << sums.xx, sums.xy, sums.xt, sums.xy, sums.yy, sums.yt, sums.xt, sums.yt, sums.tt;
+  Eigen::Matrix3d into_robot = Eigen::Matrix3d::Identity();
+  const Matrix<2, 2> turn = input.pose.rotation().transpose();
+  into_robot.topLeftCorner<2, 2>() = turn;
+  NormalEquations<2> equations;
+  equations.information = into_robot * information * into_robot.transpose();
+  equations.gradient = into_robot * Eigen::Vector3d(sums.x, sums.y, sums.t);
+  equations.squared_ranges = sums.squared_ranges;
+  equations.pairs = sums.pairs;
+  for (const std::uint32_t i : std::span(list_).first(sums.undecided)) {
+    const Point2 in_map = input.pose * scan_[i];
+    const Neighbour nearest = map_->nearest(in_map, input.gate);
+    if (nearest.found())
+      equations.add(scan_[i], in_map, map_->surface(static_cast<std::size_t>(nearest.index)), turn, input.kernel,
+                    input.kernel_scale);
+  }
+  return slamicp::point_to_surface_step(input, equations);
+}
+
+Step<2> VectorMatch::point_to_point_step(const StepInput<2>& input) noexcept {
+  pass::PointSums sums;
+  passes_->points(request(input), &sums);
+  // About the robot, not the corner of its tile.
+  PairSums<2> pairs;
+  const Point2 shift = corner() - input.pose.translation();
+  pairs.weights = sums.weight;
+  pairs.source = {sums.px, sums.py};
+  pairs.target = Point2(sums.mx, sums.my) + sums.weight * shift;
+  pairs.products << sums.mx_px, sums.mx_py, sums.my_px, sums.my_py;
+  pairs.products += shift * pairs.source.transpose();
+  pairs.squared_ranges = sums.squared_ranges;
+  pairs.pairs = sums.pairs;
+  for (const std::uint32_t i : std::span(list_).first(sums.undecided)) {
+    const Neighbour nearest = map_->nearest(input.pose * scan_[i], input.gate);
+    if (!nearest.found()) continue;
+    const Point2 target = map_->points()[static_cast<std::size_t>(nearest.index)] - input.pose.translation();
+    pairs.add(scan_[i], target, kernel_weight(input.kernel, std::sqrt(nearest.squared_distance), input.kernel_scale));
+  }
+  return slamicp::point_to_point_step(input, pairs, input.pose.translation());
+}
+
+void VectorMatch::find_outliers(const Pose2& pose, double threshold, std::vector<int>& indices) noexcept {
+  const pass::Window window = window_at(pose);
+  const double unit = map_->distance_unit();
+  const double reach = map_->cell_options().reach;
+  const auto bound = [&](double distance) {
+    return static_cast<std::uint32_t>(std::clamp(distance / unit, 0.0, 64.0));
+  };
+  // A bound of 63 units says nothing from above; from below it says at least the reach.
+  const std::uint32_t inside = std::min(bound(threshold - margin()), CellTable::farthest - 1);
+  const std::uint32_t beyond = bound(threshold + margin()) + 1;
+  const std::uint32_t outside = threshold <= reach ? std::min(beyond, CellTable::farthest) : 64;
+  const std::uint32_t count = passes_->outliers({columns(), window, place_of(pose), limit(std::min(threshold, reach)),
+                                                 threshold > reach, inside, outside, list_.data()});
+  for (const std::uint32_t found : std::span(list_).first(count)) {
+    const std::uint32_t i = found & ~pass::unsure;
+    if (found != i && map_->nearest(pose * scan_[i], threshold).found()) continue;
+    indices.push_back(static_cast<int>(i));
+  }
+}
+
+void VectorMatch::find_matches(const Pose2& pose, double reach) noexcept {
+  const pass::Window window = window_at(pose);
+  searches_ += scan_.size();
+  reach_ = reach;
+  reaches_beyond_ = reach > map_->cell_options().reach;
+  passes_->matches({columns(), window, place_of(pose), limit(map_->cell_options().reach),
+                    static_cast<float>(2.0 * margin() / map_->place_unit()), numbers_.data()});
+}
+
+}  // namespace slamicp
