@@ -124,7 +124,8 @@ void Localizer::State::take_scan_as_map() {
     if (is_finite<2>(fix.pose * point)) in_map.push_back(fix.pose * point);
   if (in_map.empty()) return;
   const bool is_first = map == nullptr;
-  map = PointMap2::create(std::move(in_map));
+  // A map for one scan: its cells would cost more than they save.
+  map = PointMap2::create(std::move(in_map), {}, {.eager = false});
   if (!is_first) return;
   // The first scan defines the map: it fits itself where it was told to stand.
   fix.map = map;

@@ -6,12 +6,33 @@
 
 namespace slamicp {
 
+namespace {
+
 template <int D>
-typename PointMap<D>::Pointer PointMap<D>::create(PointCloud<D> points, const SurfaceOptions& options) {
+void check_some_are_finite(const PointCloud<D>& points) {
   if (std::none_of(points.begin(), points.end(), is_finite<D>))
     throw Error(points.empty() ? "a map of no points" : "a map of which no point is finite", "PointMap::create",
                 "give at least one point with finite coordinates [m]");
+}
+
+}  // namespace
+
+template <int D>
+typename PointMap<D>::Pointer PointMap<D>::create(PointCloud<D> points, const SurfaceOptions& options) {
+  check_some_are_finite<D>(points);
   return Pointer(new PointMap(IndexedPoints<D>(std::move(points), options), 0));
+}
+
+template <int D>
+typename PointMap<D>::Pointer PointMap<D>::create(PointCloud<D> points, const SurfaceOptions& options,
+                                                  const CellOptions& cells) requires(D == 2) {
+  check_some_are_finite<D>(points);
+  return Pointer(new PointMap(IndexedPoints<D>(std::move(points), options, cells), 0));
+}
+
+template <int D>
+typename PointMap<D>::Pointer PointMap<D>::with_removed(std::span<const int> which) const requires(D == 2) {
+  return Pointer(new PointMap(indexed_.with_removed(which), version_ + 1));
 }
 
 template <int D>

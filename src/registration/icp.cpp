@@ -81,6 +81,13 @@ class Convergence {
   bool came_back_ = false;
 };
 
+PointClass class_of(bool is_inlier, bool is_outlier) noexcept {
+  return is_inlier && is_outlier ? PointClass::both
+         : is_inlier             ? PointClass::inlier
+         : is_outlier            ? PointClass::outlier
+                                 : PointClass::neither;
+}
+
 /// Which share of the scan a step looks at: few points while the pose is far off, all of them at the end.
 class Stride {
  public:
@@ -127,7 +134,6 @@ struct Icp<D>::State {
   void make_room(std::size_t map_points, const Outputs& wanted);
   void find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess);
   void hand_out(const IndexedPoints<D>& map, PointView<D> scan, const Outputs& wanted);
-  PointClass class_of(double squared_distance) const noexcept;
   void match_all(PointView<D> scan, const Outputs& wanted, bool want_outliers);
   void find_outliers(PointView<D> scan);
 };
@@ -139,9 +145,7 @@ void Icp<D>::State::forget() noexcept {
   result.mean_inlier_distance = 0.0;
   result.outlier_indices.clear();
   result.outliers_in_map.clear();
-  result.transformed_scan.clear();
   result.updated_map.clear();
-  result.matches.clear();
   result.searches = result.searches_for_outputs = 0;
 }
 
@@ -217,18 +221,6 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
   }
 }
 
-template <int D>
-PointClass Icp<D>::State::class_of(double squared_distance) const noexcept {
-  // Squares, as every path compares them: a point's class does not depend on which outputs were asked for.
-  const auto closer_than = [&](double limit) { return squared_distance < limit * limit; };
-  const bool inlier = closer_than(options.max_correspondence_distance);
-  const bool outlier = !closer_than(options.outlier_threshold());
-  return inlier && outlier ? PointClass::both
-         : inlier          ? PointClass::inlier
-         : outlier         ? PointClass::outlier
-                           : PointClass::neither;
-}
-
 /// The nearest map point of every scan point: matches, their mean distance, and the outliers if wanted.
 template <int D>
 void Icp<D>::State::match_all(PointView<D> scan, const Outputs& wanted, bool want_outliers) {
@@ -238,27 +230,32 @@ void Icp<D>::State::match_all(PointView<D> scan, const Outputs& wanted, bool wan
     if (is_vectorized())
       vector_match.find_matches(result.pose,
                                 std::max(options.max_correspondence_distance, options.outlier_threshold()));
-  const auto nearest = [&](std::size_t i, const Point<D>& in_map) {
+  const auto nearest = [&](std::size_t i) -> std::pair<Neighbour, double> {
     if constexpr (D == 2)
-      if (is_vectorized()) return vector_match.match(i, in_map);
-    return correspondences.nearest(i, in_map);
+      if (is_vectorized()) return vector_match.match(i, result.pose);
+    const Neighbour found = correspondences.nearest(i, rotation * scan[i] + translation);
+    return {found, std::sqrt(found.squared_distance)};
   };
-  if (wanted.matches) result.matches.resize(scan.size());
+  const double inlier2 = options.max_correspondence_distance * options.max_correspondence_distance;
+  const double outlier2 = options.outlier_threshold() * options.outlier_threshold();
   double sum = 0.0;
+  std::size_t inliers = 0;
   for (std::size_t i = 0; i < scan.size(); ++i) {
     Match match;
     if (is_finite<D>(scan[i])) {
-      const Neighbour neighbour = nearest(i, rotation * scan[i] + translation);
-      match = {neighbour.index, std::sqrt(neighbour.squared_distance), class_of(neighbour.squared_distance)};
+      const auto [neighbour, distance] = nearest(i);
+      // Squares, as every path compares them: a point's class does not depend on which outputs were asked for.
+      const bool is_inlier = neighbour.squared_distance < inlier2;
+      const bool is_outlier = !(neighbour.squared_distance < outlier2);
+      match = {neighbour.index, distance, class_of(is_inlier, is_outlier)};
+      inliers += is_inlier ? 1U : 0U;
+      sum += is_inlier ? match.distance : 0.0;
+      if (is_outlier && want_outliers) result.outlier_indices.push_back(static_cast<int>(i));
     }
     if (wanted.matches) result.matches[i] = match;
-    if (is_inlier(match.point_class)) {
-      ++result.inliers;
-      sum += match.distance;
-    }
-    if (want_outliers && is_outlier(match.point_class)) result.outlier_indices.push_back(static_cast<int>(i));
   }
-  if (result.inliers > 0) result.mean_inlier_distance = sum / static_cast<double>(result.inliers);
+  result.inliers = inliers;
+  if (inliers > 0) result.mean_inlier_distance = sum / static_cast<double>(inliers);
 }
 
 template <int D>
@@ -277,6 +274,8 @@ void Icp<D>::State::find_outliers(PointView<D> scan) {
 template <int D>
 void Icp<D>::State::hand_out(const IndexedPoints<D>& map, PointView<D> scan, const Outputs& wanted) {
   const bool want_outliers = wanted.outlier_indices || wanted.outliers_in_map || wanted.updated_map;
+  result.matches.resize(wanted.matches ? scan.size() : 0);
+  result.transformed_scan.resize(wanted.transformed_scan ? scan.size() : 0);
   if (wanted.mean_inlier_distance || wanted.matches)
     match_all(scan, wanted, want_outliers);
   else if (want_outliers)
@@ -284,10 +283,8 @@ void Icp<D>::State::hand_out(const IndexedPoints<D>& map, PointView<D> scan, con
 
   const Matrix<D, D> rotation = result.pose.rotation();
   const Point<D> translation = result.pose.translation();
-  if (wanted.transformed_scan) {
-    result.transformed_scan.resize(scan.size());
-    for (std::size_t i = 0; i < scan.size(); ++i) result.transformed_scan[i] = rotation * scan[i] + translation;
-  }
+  for (std::size_t i = 0; i < result.transformed_scan.size(); ++i)
+    result.transformed_scan[i] = rotation * scan[i] + translation;
   if (wanted.outliers_in_map || wanted.updated_map)
     for (const int i : result.outlier_indices)
       result.outliers_in_map.push_back(rotation * scan[static_cast<std::size_t>(i)] + translation);
@@ -355,7 +352,10 @@ IcpResult<D> align(const PointCloud<D>& source, const PointCloud<D>& target, con
   Icp<D> icp(options);
   SurfaceOptions surfaces;
   if (options.method == Method::point_to_point) surfaces.neighbours = 0;
-  return icp.align(IndexedPoints<D>(target, surfaces), source, guess, wanted);
+  if constexpr (D == 2)
+    return icp.align(IndexedPoints<D>(target, surfaces, {.eager = false}), source, guess, wanted);  // one match only
+  else
+    return icp.align(IndexedPoints<D>(target, surfaces), source, guess, wanted);
 }
 
 template class Icp<2>;

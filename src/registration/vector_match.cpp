@@ -11,6 +11,11 @@ namespace {
 constexpr int to_spare = 4;
 constexpr int most_tiles = 120;
 
+const double* xy_of(PointView<2> points) noexcept {
+  static constexpr double none[2] = {0.0, 0.0};
+  return points.empty() ? none : points.front().data();
+}
+
 }  // namespace
 
 void VectorMatch::reserve(std::size_t points) {
@@ -18,6 +23,8 @@ void VectorMatch::reserve(std::size_t points) {
   y_.resize(std::max(y_.size(), points + pass::padding));
   list_.resize(std::max(list_.size(), points + pass::padding));
   numbers_.resize(std::max(numbers_.size(), points));
+  squared_distances_.resize(std::max(squared_distances_.size(), points));
+  distances_.resize(std::max(distances_.size(), points));
   constexpr auto widest = static_cast<std::size_t>(2 * most_tiles + 1);
   tables_.reserve(widest * widest + 1);
 }
@@ -28,7 +35,7 @@ std::size_t VectorMatch::begin(const CellIndex& map, PointView<2> scan) {
   searches_ = 0;
   reserve(scan.size());
   const auto count = static_cast<std::uint32_t>(scan.size());
-  return passes_->to_columns(count > 0 ? scan.front().data() : nullptr, count, x_.data(), y_.data(), &farthest_);
+  return passes_->to_columns(xy_of(scan), count, x_.data(), y_.data(), &farthest_);
 }
 
 /// Opens the window on the tiles around the robot's.
@@ -98,7 +105,7 @@ pass::Request VectorMatch::request(const StepInput<2>& input) noexcept {
           input.gate > map_->cell_options().reach,
           input.kernel,
           static_cast<float>(input.kernel_scale),
-          map_->points().empty() ? nullptr : map_->points().front().data(),
+          xy_of(map_->points()),
           corner().x(),
           corner().y(),
           list_.data()};
@@ -175,8 +182,12 @@ void VectorMatch::find_matches(const Pose2& pose, double reach) noexcept {
   searches_ += scan_.size();
   reach_ = reach;
   reaches_beyond_ = reach > map_->cell_options().reach;
+  const double roundings = 3.0 * map_->place_unit() + std::max(1e-5, 8e-7 * static_cast<double>(farthest_));
+  const Matrix<2, 2> rotation = pose.rotation();
   passes_->matches({columns(), window, place_of(pose), limit(map_->cell_options().reach),
-                    static_cast<float>(2.0 * margin() / map_->place_unit()), numbers_.data()});
+                    static_cast<float>(roundings / map_->place_unit()), xy_of(scan_), rotation(0, 0), rotation(1, 0),
+                    pose.x, pose.y, xy_of(map_->points()), numbers_.data(), squared_distances_.data(),
+                    distances_.data()});
 }
 
 }  // namespace slamicp

@@ -33,13 +33,14 @@ class VectorMatch {
 
   /// Finds the nearest map point of every scan point, closer than `reach`.
   void find_matches(const Pose2& pose, double reach) noexcept;
-  /// That of scan point i, which is at `in_map`.
-  Neighbour match(std::size_t i, const Point2& in_map) const noexcept {
+  /// That of scan point i, and its distance [m].
+  std::pair<Neighbour, double> match(std::size_t i, const Pose2& pose) const noexcept {
     const std::int32_t number = numbers_[i];
-    if (number == pass::ask || (number == pass::no_match && reaches_beyond_)) return map_->nearest(in_map, reach_);
-    if (number == pass::no_match) return {};
-    const double squared = (map_->points()[static_cast<std::size_t>(number)] - in_map).squaredNorm();
-    return squared < reach_ * reach_ ? Neighbour{number, squared} : Neighbour{};
+    if (number >= 0 && squared_distances_[i] < reach_ * reach_) return {{number, squared_distances_[i]}, distances_[i]};
+    Neighbour nearest;
+    if (number == pass::ask || (number == pass::no_match && reaches_beyond_))
+      nearest = map_->nearest(pose * scan_[i], reach_);
+    return {nearest, std::sqrt(nearest.squared_distance)};
   }
 
   /// Points looked up since begin().
@@ -65,6 +66,7 @@ class VectorMatch {
   std::vector<float> x_, y_;
   std::vector<std::uint32_t> list_;
   std::vector<std::int32_t> numbers_;
+  std::vector<double> squared_distances_, distances_;
   double reach_ = 0.0;           // of the matches
   bool reaches_beyond_ = false;  // what the tables list
 

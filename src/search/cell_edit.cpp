@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <map>
+
 #include <slamicp/error.hpp>
 #include <slamicp/search/cell_index.hpp>
 
@@ -41,13 +42,16 @@ class CellIndexEdit {
 
   const State& before_;
   std::shared_ptr<State> next_;
+  CellBuilder builder_;
+  std::vector<CellPoint> room_;
   std::map<TilePlace, Change> changes_;
   std::vector<int> added_;
-  std::vector<int> touched_;                  // points that were there, whose lines are other ones now
+  std::vector<int> touched_;                 // points that were there, whose lines are other ones now
   std::vector<std::pair<int, Line>> lines_;  // of added and touched points, numbers rising
 };
 
-CellIndexEdit::CellIndexEdit(const CellIndex& before, PointBuffer points) : before_(*before.state_) {
+CellIndexEdit::CellIndexEdit(const CellIndex& before, PointBuffer points)
+    : before_(*before.state_), builder_(before_.grid, before_.cells.reach) {
   next_ = std::make_shared<State>(before_.surfaces, before_.cells);
   next_->points = std::move(points);
   next_->tiles = before_.tiles;
@@ -123,19 +127,20 @@ void CellIndexEdit::find_touched(std::span<const int> moved) {
     Bounds<2> bounds;
     for (const int number : some) bounds.include(place(number));
     const Point2 radius = Point2::Constant(before_.surfaces.radius);
-    before_.tiles.for_each_in(before_.grid.place_of(bounds.lower - radius), before_.grid.place_of(bounds.upper + radius),
-                              [&](const Tile& tile) {
-      const std::vector<Line>* lines = tile.lines();
-      if (lines == nullptr) return;
-      for (std::size_t j = 0; j < lines->size(); ++j) {
-        const Point2& resident = place(tile.numbers()[j]);
-        const double window = std::min(static_cast<double>((*lines)[j].window), before_.surfaces.radius);
-        const Point2 off = (bounds.lower - resident).cwiseMax(resident - bounds.upper).cwiseMax(0.0);
-        if (off.squaredNorm() > window * window) continue;
-        const auto is_near = [&](int number) { return (place(number) - resident).norm() <= window; };
-        if (std::any_of(some.begin(), some.end(), is_near)) touched_.push_back(tile.numbers()[j]);
-      }
-    });
+    before_.tiles.for_each_in(
+        before_.grid.place_of(bounds.lower - radius), before_.grid.place_of(bounds.upper + radius),
+        [&](const Tile& tile) {
+          const std::vector<Line>* lines = tile.lines();
+          if (lines == nullptr) return;
+          for (std::size_t j = 0; j < lines->size(); ++j) {
+            const Point2& resident = place(tile.numbers()[j]);
+            const double window = std::min(static_cast<double>((*lines)[j].window), before_.surfaces.radius);
+            const Point2 off = (bounds.lower - resident).cwiseMax(resident - bounds.upper).cwiseMax(0.0);
+            if (off.squaredNorm() > window * window) continue;
+            const auto is_near = [&](int number) { return (place(number) - resident).norm() <= window; };
+            if (std::any_of(some.begin(), some.end(), is_near)) touched_.push_back(tile.numbers()[j]);
+          }
+        });
   }
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
@@ -185,16 +190,16 @@ void CellIndexEdit::publish_lines(const Change& change) const {
 
 void CellIndexEdit::make_table(Change& change) {
   const CellTable* old = change.old ? change.old->table() : &CellIndex::empty_table();
-  if (old == nullptr) return;  // not built yet; nor is it now
-  CellBuilder builder(next_->grid, next_->cells.reach);
-  constexpr std::size_t many = 256;  // where lists would grow long
-  if (change.is_rebuilt || change.added.size() > many) {
-    std::vector<CellPoint> room;
-    next_->build_table(*change.tile, builder, room);
-  } else {
-    change.tile->publish(builder.grow(*old, next_->grid.corner(change.tile->place()), next_->points.view(),
-                                      change.added, change.changed));
-  }
+  if (old == nullptr) return;        // not built yet; nor is it now
+  constexpr std::size_t many = 256;  // added points, where lists would grow long
+  CellTablePointer table;
+  if (!change.is_rebuilt && change.added.size() <= many)
+    table = builder_.grow(*old, next_->grid.corner(change.tile->place()), next_->points.view(), change.added,
+                          change.changed);
+  if (table)
+    change.tile->publish(std::move(table));
+  else
+    next_->build_table(*change.tile, builder_, room_);
 }
 
 CellIndex CellIndexEdit::finish() {

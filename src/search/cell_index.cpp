@@ -252,9 +252,11 @@ Neighbour CellIndex::nearest(const Point2& query, double reach) const noexcept {
   if (count == CellTable::no_answer) return state.search().nearest(query, reach);
   const double listed = std::min(reach, state.cells.reach);
   NearestVisitor visitor{listed * listed};
-  const std::int32_t* numbers = table->numbers() + CellTable::first_of(word);
-  for (std::uint32_t j = 0; j < count; ++j)
-    visitor.see(numbers[j], (points()[static_cast<std::size_t>(numbers[j])] - query).squaredNorm());
+  const std::uint32_t first = CellTable::first_of(word);
+  for (std::uint32_t j = first; j < first + count; ++j) {
+    const int number = table->line(j).number;
+    visitor.see(number, (points()[static_cast<std::size_t>(number)] - query).squaredNorm());
+  }
   if (visitor.best.found() || reach <= state.cells.reach) return visitor.best;
   return state.search().nearest(query, reach);
 }

@@ -92,8 +92,7 @@ NearestTwo IndexedPoints<3>::nearest_two(const Point3& query, double reach) cons
   return best;
 }
 
-std::size_t IndexedPoints<3>::nearest_k(const Point3& query, double reach,
-                                        std::span<Neighbour> found) const noexcept {
+std::size_t IndexedPoints<3>::nearest_k(const Point3& query, double reach, std::span<Neighbour> found) const noexcept {
   std::size_t count = 0;
   for (const Tree& tree : trees_) count = tree.tree->nearest_k(query, reach, found, count);
   return count;

@@ -68,8 +68,7 @@ constexpr std::size_t lines_bytes(std::uint32_t count) noexcept {
   return (sizeof(CellLine) * (count + CellTable::spare) + whole - 1) / whole * whole;
 }
 constexpr std::size_t table_bytes(std::uint32_t count) noexcept {
-  return lines_bytes(count) + sizeof(CellTable) + sizeof(CellPlace) * (count + CellTable::spare) +
-         sizeof(std::int32_t) * count;
+  return lines_bytes(count) + sizeof(CellTable) + sizeof(CellPlace) * (count + CellTable::spare);
 }
 
 /// The map points in a square, by cell, and what was worked out from them: lines and the table of cells. Both are built

@@ -10,8 +10,8 @@
 
 namespace slamicp {
 
-/// Tiles by place, for a plane of any size of which little is used. A copy shares everything; setting a tile in it copies
-/// the two nodes of 16 x 16 children above that tile, where an older edit made them, and no more.
+/// Tiles by place, for a plane of any size of which little is used. A copy shares everything; setting a tile in it
+/// copies the two nodes of 16 x 16 children above that tile, where an older edit made them, and no more.
 class TileDirectory {
  public:
   const Tile* find(TilePlace at) const noexcept {

@@ -18,6 +18,19 @@ class PointMap {
 
   /// A map of these points, in the map's frame [m]. Throws Error if none of them is finite.
   static Pointer create(PointCloud<D> points, const SurfaceOptions& options = {});
+  /// In the plane also how it is cut into cells.
+  static Pointer create(PointCloud<D> points, const SurfaceOptions& options, const CellOptions& cells) requires(D == 2);
+
+  /// The map with its cells built, if they were not (CellOptions::eager = false), up to so many tiles of them, those
+  /// near a place first; readers go on meanwhile. @returns how many were built, 0 when it is done. See
+  /// CellIndex::build.
+  std::size_t build(std::size_t tiles, const Point2& near) const requires(D == 2) {
+    return indexed_.cells().build(tiles, near);
+  }
+
+  /// This map without some points, in the plane: they keep their numbers but are no longer finite. Throws Error where a
+  /// number is out of range.
+  Pointer with_removed(std::span<const int> which) const requires(D == 2);
 
   /// This map and `points` behind it, in the map's frame [m]; existing points keep their numbers.
   Pointer with_added(PointView<D> points) const;

@@ -15,17 +15,18 @@ struct CellPlace {
   std::int16_t x, y;
 };
 
-/// The line that the map follows at a point.
+/// Which point it is, and the line that the map follows there.
 struct CellLine {
   std::int16_t normal_x, normal_y;  ///< times line_scale; both zero where there is no line
-  float offset;  ///< [m]: the places p on it, from the lower corner of the tile, have normal . p = offset
+  float offset;         ///< [m]: the places p on it, from the lower corner of the tile, have normal . p = offset
+  std::int32_t number;  ///< of the point
 };
 
 inline constexpr float line_scale = 32767.0F;
 
 /// A tile of 16 x 16 cells as a match reads it: for each cell every map point that can be nearest to some place in it,
-/// side by side. In memory the points' lines lie in front of this head, the last one first; the places behind it, then
-/// `spare` places far from everything, then the points' numbers: so that each is found from the head alone.
+/// side by side. In memory the points' lines lie in front of this head, the last one first, and the places behind it,
+/// with `spare` places far from everything at their end: so that both are found from the head alone.
 struct CellTable {
   /// A cell in one word: bits 0-5 how many candidates, 6-19 the first, 20-25 and 26-31 a bound from above and from
   /// below on the distance from any place of the cell to the nearest point, in CellIndex::distance_unit().
@@ -51,11 +52,8 @@ struct CellTable {
 
   const CellPlace* places() const noexcept { return reinterpret_cast<const CellPlace*>(this + 1); }
   const CellLine& line(std::uint32_t k) const noexcept { return *(reinterpret_cast<const CellLine*>(this) - 1 - k); }
-  const std::int32_t* numbers() const noexcept {
-    return reinterpret_cast<const std::int32_t*>(places() + count + spare);
-  }
 };
 
-static_assert(sizeof(CellPlace) == 4 && sizeof(CellLine) == 8 && sizeof(CellTable) == 1040);
+static_assert(sizeof(CellPlace) == 4 && sizeof(CellLine) == 12 && sizeof(CellTable) == 1040);
 
 }  // namespace slamicp

@@ -100,7 +100,12 @@ struct MatchRequest {
   Place place;
   Limit reach;            // of the tables
   float margin;           // in units of CellPlace: two points as alike as this in distance are told apart in double
-  std::int32_t* numbers;  // of the nearest points within the tables' reach
+  const double* scan_xy;  // the same points in double
+  double cosine, sine, translation_x, translation_y;  // T_map_robot
+  const double* map_points;                           // x, y by number [m]
+  std::int32_t* numbers;                              // of the nearest points within the tables' reach
+  double* squared_distances;                          // to them [m^2]
+  double* distances;                                  // [m]
 };
 
 /// The passes, compiled for one instruction set.

@@ -207,24 +207,24 @@ SLAMICP_PASS std::uint32_t nearest_of_first(const CellPlace* places, std::uint32
   return least(du, least_of<places_at_once / lanes>(places, hn::Set(du, point)));
 }
 
-/// How many of the first 16 places have a squared distance below `bound`, the number in its lowest bits included.
-SLAMICP_PASS std::uint32_t which_below(const CellPlace* places, std::uint32_t point, std::uint32_t bound) {
-  std::uint32_t bits = 0;
-  const auto look = [&](auto first) {
-    const DU du;
-    const VU squared = squared_distances<first>(places, hn::Set(du, point));
-    const auto below = hn::Lt(hn::BitCast(DI(), squared), hn::BitCast(DI(), hn::Set(du, bound)));
+/// Which of the first 16 places have a squared distance below `bound`, one bit each.
+SLAMICP_PASS std::uint32_t places_below(const CellPlace* places, std::uint32_t point, std::uint32_t bound) {
+  const DU du;
+  const DI di;
+  const VU at = hn::Set(du, point);
+  const VI limit = hn::Set(di, static_cast<std::int32_t>(bound));
+  const auto bits_of = [&](VU squared) {
     HWY_ALIGN std::uint8_t stored[8] = {};
-    hn::StoreMaskBits(DI(), below, stored);
-    std::uint32_t now;
-    hwy::CopyBytes<4>(stored, &now);
-    bits |= now << first;
+    hn::StoreMaskBits(di, hn::Lt(hn::BitCast(di, squared), limit), stored);
+    std::uint32_t bits;
+    hwy::CopyBytes<4>(stored, &bits);
+    return bits;
   };
-  look(std::integral_constant<std::uint32_t, 0>());
-  if constexpr (lanes < 16) look(std::integral_constant<std::uint32_t, lanes % 16>());
+  std::uint32_t bits = bits_of(squared_distances<0>(places, at));
+  if constexpr (lanes < 16) bits |= bits_of(squared_distances<lanes % 16>(places, at)) << lanes % 16;
   if constexpr (lanes < 8) {
-    look(std::integral_constant<std::uint32_t, 2 * lanes % 16>());
-    look(std::integral_constant<std::uint32_t, 3 * lanes % 16>());
+    bits |= bits_of(squared_distances<2 * lanes % 16>(places, at)) << 2 * lanes % 16;
+    bits |= bits_of(squared_distances<3 * lanes % 16>(places, at)) << 3 * lanes % 16;
   }
   return bits;
 }
@@ -241,7 +241,7 @@ SLAMICP_PASS std::uint32_t half_squared_distance(CellPlace place, std::int32_t x
 SLAMICP_PASS std::int32_t x_of(std::uint32_t point) { return static_cast<std::int16_t>(point & 0xFFFFU); }
 SLAMICP_PASS std::int32_t y_of(std::uint32_t point) { return static_cast<std::int16_t>(point >> 16U); }
 
-SLAMICP_PASS std::uint32_t which_below(const CellPlace* places, std::uint32_t point, std::uint32_t bound) {
+SLAMICP_PASS std::uint32_t places_below(const CellPlace* places, std::uint32_t point, std::uint32_t bound) {
   std::uint32_t bits = 0;
   for (std::uint32_t k = 0; k < places_at_once; ++k)
     bits |= (half_squared_distance(places[k], x_of(point), y_of(point)) < bound / 2 ? 1U : 0U) << k;
@@ -278,8 +278,8 @@ SLAMICP_PASS const CellPlace* places_of(const CellTable* table) {
   return reinterpret_cast<const CellPlace*>(table + 1);
 }
 
-SLAMICP_PASS const std::int32_t* numbers_of(const CellTable* table) {
-  return reinterpret_cast<const std::int32_t*>(places_of(table) + table->count + CellTable::spare);
+SLAMICP_PASS const CellLine* line_of(const CellTable* table, std::uint32_t candidate) {
+  return reinterpret_cast<const CellLine*>(table) - 1 - candidate;
 }
 
 /// Finds the nearest candidate of every point of the block.
@@ -303,11 +303,11 @@ SLAMICP_PASS void search_block(const Request& request, Block& block) {
       block.map_x[i] = block.map_y[i] = 0.0F;
       if (block.squared[i] > request.gate.beyond) continue;
       const double* point =
-          request.map_points + 2 * static_cast<std::ptrdiff_t>(numbers_of(table)[first + found.which]);
+          request.map_points + 2 * static_cast<std::ptrdiff_t>(line_of(table, first + found.which)->number);
       block.map_x[i] = static_cast<float>(point[0] - request.corner_x);
       block.map_y[i] = static_cast<float>(point[1] - request.corner_y);
     } else {
-      hwy::CopyBytes<8>(reinterpret_cast<const CellLine*>(table) - 1 - first - found.which, block.line + i);
+      hwy::CopyBytes<8>(line_of(table, first + found.which), block.line + i);
     }
   }
   for (std::uint32_t i = block.count; i % lanes != 0; ++i) block.squared[i] = far;
@@ -543,40 +543,90 @@ SLAMICP_PASS std::uint32_t outlier_pass(const OutlierRequest& request) noexcept 
   return found;
 }
 
+/// The numbers of the points nearest to those of the block, no_match or ask: what is nearest of the first 16 places of
+/// a cell has to be in its list, and to have no rival there.
+SLAMICP_PASS void match_block(const MatchRequest& request, Block& block) {
+  const D d;
+  const DU du;
+  const CellPlace* places[block_size];
+  std::uint32_t words[block_size];
+  std::int32_t numbers[block_size];
+  for (std::uint32_t i = 0; i < block.count; ++i) {
+    const CellTable* table = request.window.tables[block.tile[i]];
+    words[i] = table->cells[block.cell[i]];
+    places[i] = places_of(table) + first_of(words[i]);
+    const Found found = find_nearest(places[i], places_at_once, block.place[i]);
+    block.squared[i] = found.squared & ~which_bits;
+    const bool is_listed = found.which < (words[i] & 63U);
+    const std::int32_t number = line_of(table, first_of(words[i]) + found.which)->number;
+    numbers[i] = is_listed ? number : no_match;
+  }
+  // (d + margin)^2, and what the numbers in the lowest bits can add.
+  HWY_ALIGN std::uint32_t bounds[block_size];
+  const V margin = hn::Set(d, request.margin);
+  for (std::uint32_t k = 0; k < block.count; k += lanes) {
+    const V d2 = hn::ConvertTo(d, hn::BitCast(DI(), hn::Load(du, block.squared + k)));
+    const V more =
+        hn::MulAdd(margin, hn::MulAdd(hn::Set(d, 2.0F), hn::Sqrt(d2), margin), hn::Set(d, 2.0F * which_bits));
+    const V bound = hn::Min(hn::Add(d2, more), hn::Set(d, 2e9F));
+    hn::Store(hn::BitCast(du, hn::ConvertTo(DI(), bound)), du, bounds + k);
+  }
+  for (std::uint32_t i = 0; i < block.count; ++i) {
+    const std::uint32_t count = words[i] & 63U;
+    const std::uint32_t listed = (std::uint32_t{1} << (count & 31U)) - 1U;
+    const std::uint32_t rivals = places_below(places[i], block.place[i], bounds[i]) & listed;
+    const bool has_rival = (rivals & (rivals - 1U)) != 0;
+    const bool is_near = block.squared[i] < request.reach.sure;
+    std::int32_t number = is_near && rivals != 0 ? numbers[i] : no_match;
+    const bool is_edge = !is_near && block.squared[i] <= request.reach.beyond;
+    if (HWY_UNLIKELY((is_near && (has_rival || numbers[i] == no_match)) || is_edge || count > places_at_once))
+      number = block.px[i] < absent ? ask : no_match;  // more than 16, or no answer
+    request.numbers[block.begin + i] = number;
+  }
+}
+
+/// Distances to the matches, with the operations in the order that the scalar code has them: the same bits.
+SLAMICP_PASS void measure_block(const MatchRequest& request, std::uint32_t begin, std::uint32_t count) {
+  const hn::CappedTag<double, 8> d;
+  constexpr std::uint32_t width = static_cast<std::uint32_t>(hn::MaxLanes(d));
+  HWY_ALIGN double map_xy[2 * block_size];
+  HWY_ALIGN double scan_xy[2 * block_size];
+  HWY_ALIGN double squared[block_size], distance[block_size];
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::int32_t number = request.numbers[begin + i];
+    hwy::CopyBytes<16>(request.map_points + 2 * static_cast<std::ptrdiff_t>(number < 0 ? 0 : number), map_xy + 2 * i);
+    hwy::CopyBytes<16>(request.scan_xy + 2 * static_cast<std::ptrdiff_t>(begin + i), scan_xy + 2 * i);
+  }
+  for (std::uint32_t i = 2 * count; i < 2 * block_size; ++i) map_xy[i] = scan_xy[i] = 0.0;
+  const auto cosine = hn::Set(d, request.cosine);
+  const auto sine = hn::Set(d, request.sine);
+  for (std::uint32_t i = 0; i < count; i += width) {
+    hn::Vec<hn::CappedTag<double, 8>> x, y, mx, my;
+    hn::LoadInterleaved2(d, scan_xy + 2 * i, x, y);
+    hn::LoadInterleaved2(d, map_xy + 2 * i, mx, my);
+    const auto in_map_x = hn::Add(hn::Sub(hn::Mul(cosine, x), hn::Mul(sine, y)), hn::Set(d, request.translation_x));
+    const auto in_map_y = hn::Add(hn::Add(hn::Mul(sine, x), hn::Mul(cosine, y)), hn::Set(d, request.translation_y));
+    const auto dx = hn::Sub(mx, in_map_x);
+    const auto dy = hn::Sub(my, in_map_y);
+    const auto square = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
+    hn::Store(square, d, squared + i);
+    hn::Store(hn::Sqrt(square), d, distance + i);
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    request.squared_distances[begin + i] = squared[i];
+    request.distances[begin + i] = distance[i];
+  }
+}
+
 SLAMICP_PASS void match_pass(const MatchRequest& request) noexcept {
   const Sequence sequence{request.scan, 1};
   Block block;
   for (std::uint32_t begin = 0; begin < request.scan.count; begin += block_size) {
     load_block(sequence, begin, block);
     place_block(request.window, request.place, block);
-    for (std::uint32_t i = 0; i < block.count; ++i) {
-      const CellTable* table = request.window.tables[block.tile[i]];
-      const std::uint32_t word = table->cells[block.cell[i]];
-      const std::uint32_t count = word & 63U;
-      const std::uint32_t first = first_of(word);
-      std::int32_t number = no_match;
-      if (HWY_UNLIKELY(count == CellTable::no_answer)) {
-        number = block.px[i] < absent ? ask : no_match;
-      } else {
-        const CellPlace* places = places_of(table) + first;
-        const Found found = find_nearest(places, count, block.place[i]);
-        const std::uint32_t squared = found.squared & ~which_bits;
-        if (HWY_LIKELY(squared < request.reach.sure)) {
-          number = numbers_of(table)[first + found.which];
-          // Alike in distance to within the margin: (d + margin)^2.
-          const auto d2 = static_cast<float>(squared);
-          const float root = hn::GetLane(hn::Sqrt(hn::Set(hn::CappedTag<float, 1>(), d2)));
-          const auto bound =
-              static_cast<std::uint32_t>(d2 + request.margin * (2.0F * root + request.margin)) + 2 * which_bits;
-          const std::uint32_t listed = count < places_at_once ? (1U << count) - 1U : ~0U;
-          const std::uint32_t rivals = which_below(places, block.place[i], bound) & listed;
-          if (HWY_UNLIKELY((rivals & (rivals - 1)) != 0 || count > places_at_once)) number = ask;
-        } else if (squared <= request.reach.beyond) {
-          number = ask;
-        }
-      }
-      request.numbers[begin + i] = number;
-    }
+    for (std::uint32_t i = block.count; i < block_size && i % lanes != 0; ++i) block.squared[i] = far;
+    match_block(request, block);
+    measure_block(request, begin, block.count);
   }
 }
 
