@@ -13,8 +13,8 @@ namespace {
 constexpr double margin = 2e-5;
 // Squared distances as near as this count as the same [m^2].
 constexpr double slack = 1e-9;
-// A grown list longer than this is cut down: it is what a match looks at in one go.
-constexpr std::size_t long_list = 16;
+// A grown list longer than this is cut down: twice what a match looks at in one go.
+constexpr std::size_t long_list = 32;
 
 constexpr CellPlace nowhere{32767, 32767};  // a reach from the tile, and more
 

@@ -20,13 +20,40 @@ struct HashPlace {
     return static_cast<std::size_t>((std::uint64_t{y} << 32U | x) * 0x9E3779B97F4A7C15ULL >> 16U);
   }
 };
-using NumbersByPlace = std::unordered_map<TilePlace, std::vector<int>, HashPlace>;
 
-NumbersByPlace by_place(PointView<2> points, const TileGrid& grid) {
-  NumbersByPlace all;
+struct Residents {
+  TilePlace place;
+  std::vector<int> numbers;
+};
+
+/// The points that can be found, by tile; numbers rising.
+std::vector<Residents> by_tile(PointView<2> points, const TileGrid& grid) {
+  constexpr std::uint32_t nowhere = ~0U;
+  std::vector<Residents> tiles;
+  std::vector<std::uint32_t> counts;
+  std::vector<std::uint32_t> tile_of(points.size(), nowhere);
+  std::unordered_map<TilePlace, std::uint32_t, HashPlace> known;
+  TilePlace last;
+  std::uint32_t last_tile = nowhere;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!can_be_found(points[k])) continue;
+    const TilePlace place = grid.place_of(points[k]);
+    if (last_tile == nowhere || place != last) {
+      const auto [found, is_new] = known.try_emplace(place, static_cast<std::uint32_t>(tiles.size()));
+      if (is_new) {
+        tiles.push_back({place, {}});
+        counts.push_back(0);
+      }
+      last = place;
+      last_tile = found->second;
+    }
+    tile_of[k] = last_tile;
+    ++counts[last_tile];
+  }
+  for (std::size_t tile = 0; tile < tiles.size(); ++tile) tiles[tile].numbers.reserve(counts[tile]);
   for (std::size_t k = 0; k < points.size(); ++k)
-    if (can_be_found(points[k])) all[grid.place_of(points[k])].push_back(static_cast<int>(k));
-  return all;
+    if (tile_of[k] != nowhere) tiles[tile_of[k]].numbers.push_back(static_cast<int>(k));
+  return tiles;
 }
 
 /// Calls use(place) for every other tile that has a place within reach of one of the points.
@@ -62,11 +89,11 @@ CellIndex::CellIndex(PointCloud2 points, const SurfaceOptions& surfaces, const C
   state->id = next_index_id();
   state->progress = std::make_shared<BuildProgress>();
   const PointView<2> all = state->points.view();
-  NumbersByPlace numbers = by_place(all, state->grid);
+  std::vector<Residents> residents = by_tile(all, state->grid);
   std::vector<TilePlace> around;
-  for (const auto& [place, some] : numbers)
+  for (const auto& [place, some] : residents)
     for_each_neighbour_within(place, some, all, state->grid, cells.reach, [&](TilePlace at) { around.push_back(at); });
-  for (auto& [place, some] : numbers)
+  for (auto& [place, some] : residents)
     state->tiles.set(place, std::make_shared<Tile>(place, std::move(some), all, state->grid), state->id);
   for (const TilePlace at : around)
     if (state->tiles.find(at) == nullptr)

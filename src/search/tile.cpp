@@ -12,27 +12,35 @@ void FreeTable::operator()(const CellTable* table) const noexcept {
 
 Tile::Tile(TilePlace place, std::vector<int> numbers, PointView<2> points, const TileGrid& grid)
     : place_(place), numbers_(std::move(numbers)) {
-  const auto cell_of = [&](int number) {
-    const Point2& point = points[static_cast<std::size_t>(number)];
-    return static_cast<std::uint32_t>(TileGrid::within_tile(grid.cell_of(point.y())) * tile_cells +
-                                      TileGrid::within_tile(grid.cell_of(point.x())));
-  };
-  std::vector<std::uint64_t> keys(numbers_.size());  // cell, then number: one sort of plain words
-  for (std::size_t j = 0; j < keys.size(); ++j)
-    keys[j] = (std::uint64_t{cell_of(numbers_[j])} << 32U) | static_cast<std::uint32_t>(numbers_[j]);
-  std::sort(keys.begin(), keys.end());
-
-  std::uint64_t last = tile_cells * tile_cells;
-  for (std::size_t j = 0; j < keys.size(); ++j) {
-    numbers_[j] = static_cast<int>(keys[j] & 0xFFFFFFFFU);
-    const std::uint64_t cell = keys[j] >> 32U;
-    if (cell == last) continue;
-    occupied_[cell >> 6U] |= std::uint64_t{1} << (cell & 63U);
-    starts_.push_back(static_cast<std::uint32_t>(j));
-    last = cell;
+  if (numbers_.empty()) return;
+  // Counted into cells, which keeps numbers in order.
+  if (!std::is_sorted(numbers_.begin(), numbers_.end())) std::sort(numbers_.begin(), numbers_.end());
+  std::array<std::uint32_t, tile_cells * tile_cells> ends{};
+  std::vector<std::uint8_t> cells(numbers_.size());
+  for (std::size_t j = 0; j < cells.size(); ++j) {
+    const Point2& point = points[static_cast<std::size_t>(numbers_[j])];
+    const int row = TileGrid::within_tile(grid.cell_of(point.y()));
+    cells[j] = static_cast<std::uint8_t>(row * tile_cells + TileGrid::within_tile(grid.cell_of(point.x())));
+    ++ends[cells[j]];
   }
-  starts_.push_back(static_cast<std::uint32_t>(keys.size()));
-  starts_.shrink_to_fit();
+  std::size_t occupied = 0;
+  for (std::size_t cell = 0; cell < ends.size(); ++cell) {
+    if (ends[cell] == 0) continue;
+    occupied_[cell >> 6U] |= std::uint64_t{1} << (cell & 63U);
+    ++occupied;
+  }
+  starts_.reserve(occupied + 1);
+  std::uint32_t begin = 0;
+  for (std::uint32_t& end : ends) {
+    const std::uint32_t count = end;
+    if (count > 0) starts_.push_back(begin);
+    end = begin;  // where the next of the cell goes
+    begin += count;
+  }
+  starts_.push_back(begin);
+  std::vector<int> ordered(numbers_.size());
+  for (std::size_t j = 0; j < cells.size(); ++j) ordered[ends[cells[j]]++] = numbers_[j];
+  numbers_ = std::move(ordered);
   for (std::size_t word = 1; word < occupied_.size(); ++word)
     rank_[word] = static_cast<std::uint16_t>(rank_[word - 1] + std::popcount(occupied_[word - 1]));
 }
