@@ -21,6 +21,16 @@ target_link_libraries(slamicp_bench PRIVATE
   slamicp_io CLI11::CLI11 nlohmann_json::nlohmann_json nanoflann::nanoflann Threads::Threads)
 slamicp_settings_for(slamicp_bench)
 
+# micro_NAME: parts of the library by themselves (bench/micro/NAME.cpp).
+find_package(benchmark REQUIRED)
+file(GLOB micro_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/micro/*.cpp)
+foreach(source IN LISTS micro_sources)
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(micro_${name} ${source})
+  target_link_libraries(micro_${name} PRIVATE slamicp_core benchmark::benchmark)
+  slamicp_settings_for(micro_${name})
+endforeach()
+
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" bench_flags)
 target_compile_definitions(slamicp_bench PRIVATE

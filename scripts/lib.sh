@@ -14,6 +14,7 @@ cmake                configures the build
 ninja-build          runs the build
 pkg-config           finds Cairo
 libeigen3-dev        linear algebra, all that the core needs
+libhwy-dev           vectorizes the match in the plane: headers only, nothing to link
 libcairo2-dev        pictures, SVG and PNG
 libcli11-dev         the command line
 nlohmann-json3-dev   --json summaries
@@ -24,6 +25,8 @@ libgtest-dev         unit tests
 librapidcheck-dev    property tests
 python3              the test of the include graph
 ccache               saves compiling the same twice
+libnanoflann-dev     slamicp-bench: the tree of the paper's agents
+libbenchmark-dev     micro-benchmarks
 "
 needs_for_clang="
 clang                the second compiler

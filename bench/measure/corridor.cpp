@@ -6,59 +6,13 @@
 //
 // Without --repeats and --guess-scale the guesses are those of the poses file; else they are drawn anew: truth plus
 // Gaussian 5 cm, 5 cm, 2 deg times the scale, cut at 2.5 sigma.
-#include <fstream>
-#include <sstream>
-
-#include <slamicp/io/cloud_file.hpp>
-#include <slamicp/io/scan_log.hpp>
 #include <slamicp/registration/icp.hpp>
-#include <slamicp/scan/scan_points.hpp>
 #include <slamicp/simulation/random.hpp>
 
-#include "support.hpp"
+#include "scene.hpp"
 
 namespace slamicp::measure {
 namespace {
-
-struct Trial {
-  std::size_t scan = 0;
-  Pose2 truth;
-  Pose2 guess;
-};
-
-/// Scans of a world, its map, and where the robot was and thought it was.
-struct Scene {
-  std::string name;
-  PointCloud2 map;
-  std::vector<PointCloud2> scans;
-  std::vector<Trial> trials;
-};
-
-std::vector<Trial> load_poses(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::vector<Trial> trials;
-  for (std::string line; std::getline(in, line);) {
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream numbers(line);
-    Trial trial;
-    trial.scan = trials.size();
-    Pose2 &t = trial.truth, &g = trial.guess;
-    if (numbers >> t.x >> t.y >> t.theta >> g.x >> g.y >> g.theta) trials.push_back(trial);
-  }
-  return trials;
-}
-
-Scene load_scene(const std::string& name, const std::filesystem::path& map, const std::filesystem::path& ranges,
-                 const std::filesystem::path& poses, double fov_deg) {
-  Scene scene{name, load_cloud2(map), {}, load_poses(poses)};
-  ScanLogOptions options;
-  options.fov_deg = fov_deg;
-  for (const LaserScan& scan : open_scan_log(ranges, options)) scene.scans.push_back(to_points(scan).in_robot);
-  if (scene.scans.size() != scene.trials.size() || scene.scans.empty())
-    throw std::runtime_error(text("%zu scans in %s, but %zu poses in %s", scene.scans.size(), ranges.c_str(),
-                                  scene.trials.size(), poses.c_str()));
-  return scene;
-}
 
 double cut_normal(Random& random) {
   while (true)
@@ -175,9 +129,7 @@ std::vector<Scene> scenes(const Words& words) {
   if (!words["--map"].empty())
     return {load_scene("given", words["--map"], words["--ranges"], words["--poses"], fov_deg)};
   std::vector<Scene> all;
-  for (const std::string name : {"none", "box"})
-    all.push_back(load_scene(name, data("corridor/map.csv"), data("corridor/ranges_" + name + ".csv"),
-                             data("corridor/poses_" + name + ".csv"), 270.0));
+  for (const std::string name : {"none", "box"}) all.push_back(load_corridor(name));
   return all;
 }
 

@@ -138,7 +138,8 @@ std::vector<Mapped> build_maps(const ScanLog& log, std::size_t scans) {
     const std::string name = text("outliers only, from %.2f m", distance);
     maps.push_back({name, to_cloud<2>(mapper.map()->points()), mapper.trajectory(), watch.seconds()});
     if (distance == usual)
-      maps.push_back({name + ", refined", to_cloud<2>(mapper.refined_map()->points()), mapper.trajectory(), watch.seconds()});
+      maps.push_back(
+          {name + ", refined", to_cloud<2>(mapper.refined_map()->points()), mapper.trajectory(), watch.seconds()});
   }
   MapperOptions options;
   options.update = MapUpdate::all_points;

@@ -8,8 +8,8 @@ namespace slamicp::bench {
 namespace {
 
 struct Variant {
-  const char* name;
-  const char* what;
+  std::string name;
+  std::string what;
   Outputs wanted;
   IcpOptions icp;
 };
@@ -29,11 +29,22 @@ Outputs all_but_the_map() {
 }
 
 std::vector<Variant> variants() {
-  return {
+  std::vector<Variant> all{
       {"ours_pose", "slamicp, the pose", {}, paper_distances()},
       {reference_name, "slamicp, pose and outliers", {.outlier_indices = true}, paper_distances()},
       {"ours_all", "slamicp, all outputs but the updated map", all_but_the_map(), paper_distances()},
   };
+  for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2, InstructionSet::sse4,
+                                   InstructionSet::neon, InstructionSet::portable, InstructionSet::scalar}) {
+    if (!is_available(set)) continue;
+    IcpOptions options = paper_distances();
+    options.instruction_set = set;
+    all.push_back({std::string("by_") + to_string(set),
+                   std::string("slamicp, pose and outliers by ") + to_string(set),
+                   {.outlier_indices = true},
+                   options});
+  }
+  return all;
 }
 
 class Ours : public Matcher {

@@ -10,6 +10,8 @@ namespace {
 // Tiles that the robot can move before the window is opened anew, and the most from its middle to its edge.
 constexpr int to_spare = 4;
 constexpr int most_tiles = 120;
+// Farther than this, rounding to float comes near what a cell's list holds beyond its cell [m].
+constexpr double farthest_in_float = 100.0;
 
 const double* xy_of(PointView<2> points) noexcept {
   static constexpr double none[2] = {0.0, 0.0};
@@ -35,13 +37,21 @@ std::size_t VectorMatch::begin(const CellIndex& map, PointView<2> scan) {
   searches_ = 0;
   reserve(scan.size());
   const auto count = static_cast<std::uint32_t>(scan.size());
-  return passes_->to_columns(xy_of(scan), count, x_.data(), y_.data(), &farthest_);
+  return passes_->to_columns(xy_of(scan), count, x_.data(), y_.data(), &farthest_, &far_ones_);
+}
+
+/// How many tiles a scan reaches in one direction, and how many at most the window holds.
+double VectorMatch::tiles_to_see() const noexcept {
+  return std::ceil(std::sqrt(2.0) * static_cast<double>(farthest_) / map_->tile());
+}
+double VectorMatch::most_tiles_to_see() const noexcept {
+  return std::min(static_cast<double>(most_tiles - to_spare), std::floor(farthest_in_float / map_->tile()));
 }
 
 /// Opens the window on the tiles around the robot's.
 void VectorMatch::open_window(int column, int row) noexcept {
-  const double tiles = std::ceil(std::sqrt(2.0) * static_cast<double>(farthest_) / map_->tile());
-  const int half = static_cast<int>(std::min(tiles, static_cast<double>(most_tiles - to_spare))) + to_spare;
+  const double tiles = tiles_to_see();
+  const int half = static_cast<int>(std::min(tiles, most_tiles_to_see())) + to_spare;
   width_ = 2 * half + 1;
   left_ = column - half;
   bottom_ = row - half;
@@ -49,8 +59,6 @@ void VectorMatch::open_window(int column, int row) noexcept {
   tables_of_ = map_->id();
   tables_built_ = map_->builds();
   map_->tables(left_, bottom_, width_, std::span(tables_).first(tables_.size() - 1));
-  // What lies outside is asked for one by one, but for a window as wide as the scan.
-  tables_.back() = tiles > most_tiles - to_spare ? &CellIndex::unbuilt_table() : &CellIndex::empty_table();
 }
 
 pass::Window VectorMatch::window_at(const Pose2& pose) noexcept {
@@ -59,10 +67,12 @@ pass::Window VectorMatch::window_at(const Pose2& pose) noexcept {
   row_ = static_cast<int>(std::floor(std::clamp(pose.y / map_->tile(), -last, last)));
   const int half = width_ / 2;
   const bool is_near = std::abs(column_ - left_ - half) <= to_spare && std::abs(row_ - bottom_ - half) <= to_spare;
-  const bool is_wide = (half - to_spare) * map_->tile() >= std::min(std::sqrt(2.0) * static_cast<double>(farthest_),
-                                                                    (most_tiles - to_spare) * map_->tile());
+  const bool is_wide = half - to_spare >= std::min(tiles_to_see(), most_tiles_to_see());
   const bool is_current = tables_of_ == map_->id() && tables_built_ == map_->builds();
   if (!is_near || !is_wide || !is_current) open_window(column_, row_);
+  // What lies outside is asked for one by one, but for a window as wide as the scan.
+  const bool sees_all = far_ones_ == 0 && tiles_to_see() <= most_tiles_to_see();
+  tables_.back() = sees_all ? &CellIndex::empty_table() : &CellIndex::unbuilt_table();
   return {tables_.data(),
           width_,
           column_ - left_,
@@ -87,11 +97,14 @@ double VectorMatch::margin() const noexcept {
 }
 
 pass::Limit VectorMatch::limit(double distance) const noexcept {
-  constexpr double most = 2e9;
+  // Squared distances lose their lowest bits; and what lies a cell beyond the reach is no candidate, but may stand for
+  // none.
+  constexpr double lost = 15.0;
+  const double most = (map_->cell_options().reach + map_->cell()) / map_->place_unit();
   const double sure = std::max(distance - margin(), 0.0) / map_->place_unit();
-  const double beyond = (distance + margin()) / map_->place_unit();
-  return {static_cast<std::uint32_t>(std::min(sure * sure, most)),
-          static_cast<std::uint32_t>(std::min(beyond * beyond, most))};
+  const double beyond = std::min((distance + margin()) / map_->place_unit(), most);
+  return {static_cast<std::uint32_t>(std::max(std::min(sure, most) * std::min(sure, most) - lost, 0.0)),
+          static_cast<std::uint32_t>(beyond * beyond)};
 }
 
 pass::Request VectorMatch::request(const StepInput<2>& input) noexcept {

@@ -55,6 +55,8 @@ class VectorMatch {
   pass::Request request(const StepInput<2>& input) noexcept;
   Point2 corner() const noexcept;
   void open_window(int column, int row) noexcept;
+  double tiles_to_see() const noexcept;
+  double most_tiles_to_see() const noexcept;
   double margin() const noexcept;
   pass::Limit limit(double distance) const noexcept;
 
@@ -62,7 +64,8 @@ class VectorMatch {
   const CellIndex* map_ = nullptr;
   PointView<2> scan_;
   std::size_t searches_ = 0;
-  float farthest_ = 0.0F;  // coordinate of a scan point [m]
+  float farthest_ = 0.0F;       // coordinate of a scan point [m]
+  std::uint32_t far_ones_ = 0;  // points farther than that, too far for float
   std::vector<float> x_, y_;
   std::vector<std::uint32_t> list_;
   std::vector<std::int32_t> numbers_;

@@ -130,8 +130,7 @@ void CellIndexEdit::find_touched(std::span<const int> moved) {
     before_.tiles.for_each_in(
         before_.grid.place_of(bounds.lower - radius), before_.grid.place_of(bounds.upper + radius),
         [&](const Tile& tile) {
-          const std::vector<Line>* lines = tile.lines();
-          if (lines == nullptr) return;
+          const std::vector<Line>* lines = before_.lines_of(tile);  // another thread may be building them
           for (std::size_t j = 0; j < lines->size(); ++j) {
             const Point2& resident = place(tile.numbers()[j]);
             const double window = std::min(static_cast<double>((*lines)[j].window), before_.surfaces.radius);

@@ -18,7 +18,8 @@ class TileSearch {
   /// bound is small when it comes to the rest.
   template <typename Visitor>
   void visit(const Point2& query, Visitor& visitor) const noexcept(noexcept(visitor.see(0, 0.0))) {
-    if (!is_finite<2>(query)) return;
+    constexpr double countless = 1e150;  // squares of more are infinite
+    if (!(query.cwiseAbs().maxCoeff() < countless) || !is_finite<2>(query)) return;
     const int column = grid_.cell_of(query.x());
     const int row = grid_.cell_of(query.y());
     const Block home{column - 1, column + 1, row - 1, row + 1};

@@ -1,44 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <atomic>
-#include <cstdlib>
 #include <gtest/gtest.h>
-#include <new>
 
 #include <slamicp/localization/localizer.hpp>
 
+#include "support/allocations.hpp"
 #include "support/room.hpp"
-
-namespace {
-
-std::atomic<bool> counting{false};
-std::atomic<int> allocations{0};
-
-void* allocate(std::size_t size) {
-  if (counting) ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-// Eigen, too, comes here: what it allocates it takes from malloc only where alignment demands it, and no fixed-size
-// matrix does.
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace slamicp {
 namespace {
 
 int allocations_of_update(Localizer& localizer, const LaserScan& scan) {
-  allocations = 0;
-  counting = true;
-  localizer.update(scan);
-  counting = false;
-  return allocations;
+  return test::allocations_of([&] { localizer.update(scan); });
 }
 
 TEST(AllocationTest, AfterTheFirstScanAnUpdateAllocatesNothing) {

@@ -4,8 +4,8 @@
 
 #include <slamicp/search/indexed_points.hpp>
 
-#include "support/brute_force.hpp"
 #include "support/clouds.hpp"
+#include "support/index_checks.hpp"
 
 namespace slamicp {
 namespace {
@@ -28,38 +28,6 @@ Point<D> any_query(Random& random, const PointCloud<D>& cloud, const Point<D>& c
   return query;
 }
 
-template <int D, typename Index>
-void expect_brute_force(const Index& index, const PointCloud<D>& cloud, const Point<D>& query, double reach,
-                        std::size_t k) {
-  const std::vector<Neighbour> all = test::all_within<D>(cloud, query, reach);
-
-  const Neighbour nearest = index.nearest(query, reach);
-  ASSERT_EQ(nearest.index, all.empty() ? -1 : all[0].index);
-  ASSERT_EQ(nearest.squared_distance, all.empty() ? test::infinity : all[0].squared_distance);
-
-  const NearestTwo two = index.nearest_two(query, reach);
-  ASSERT_EQ(two.nearest.index, nearest.index);
-  ASSERT_EQ(two.nearest.squared_distance, nearest.squared_distance);
-  // Valid, and as tight as it can be: the second nearest, or the reach.
-  ASSERT_EQ(two.others_squared_distance, all.size() > 1 ? all[1].squared_distance : reach * reach);
-
-  std::vector<Neighbour> found(k);
-  ASSERT_EQ(index.nearest_k(query, reach, found), std::min(k, all.size()));
-  for (std::size_t j = 0; j < std::min(k, all.size()); ++j) {
-    ASSERT_EQ(found[j].index, all[j].index);
-    ASSERT_EQ(found[j].squared_distance, all[j].squared_distance);
-  }
-
-  std::vector<int> within{-7};  // it appends
-  index.within(query, reach, within);
-  ASSERT_EQ(within[0], -7);
-  std::sort(within.begin() + 1, within.end());
-  std::vector<int> expected{-7};
-  for (const Neighbour& one : all) expected.push_back(one.index);
-  std::sort(expected.begin() + 1, expected.end());
-  ASSERT_EQ(within, expected);
-}
-
 template <typename Dimension>
 class IndexPropertyTest : public ::testing::Test {};
 using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
@@ -74,9 +42,9 @@ TYPED_TEST(IndexPropertyTest, KdTreeIsBruteForce) {
     const PointCloud<D> cloud = test::unkind_cloud<D>(random, random.integer(0, 300), center);
     const KdTree<D> tree(cloud);
     for (int k = 0; k < 60; ++k)
-      ASSERT_NO_FATAL_FAILURE(expect_brute_force<D>(tree, cloud, any_query<D>(random, cloud, center),
-                                                    random.chance(0.1) ? 1e9 : random.uniform(0.0, 1.5),
-                                                    static_cast<std::size_t>(random.integer(0, 25))));
+      ASSERT_NO_FATAL_FAILURE(test::expect_brute_force<D>(tree, cloud, any_query<D>(random, cloud, center),
+                                                          random.chance(0.1) ? 1e9 : random.uniform(0.0, 1.5),
+                                                          static_cast<std::size_t>(random.integer(0, 25))));
   }
 }
 
@@ -96,9 +64,9 @@ TYPED_TEST(IndexPropertyTest, IndexedPointsAreBruteForceHoweverTheyGrew) {
       ASSERT_EQ(index.size(), cloud.size());
     }
     for (int k = 0; k < 60; ++k)
-      ASSERT_NO_FATAL_FAILURE(expect_brute_force<D>(index, cloud, any_query<D>(random, cloud, center),
-                                                    random.chance(0.1) ? 1e9 : random.uniform(0.0, 1.5),
-                                                    static_cast<std::size_t>(random.integer(0, 25))));
+      ASSERT_NO_FATAL_FAILURE(test::expect_brute_force<D>(index, cloud, any_query<D>(random, cloud, center),
+                                                          random.chance(0.1) ? 1e9 : random.uniform(0.0, 1.5),
+                                                          static_cast<std::size_t>(random.integer(0, 25))));
   }
 }
 
@@ -123,7 +91,7 @@ TYPED_TEST(IndexPropertyTest, TiesGoToTheLowerIndexWhateverTheRounding) {
       Point<D> query = Point<D>::Constant(0.3);
       query[0] = random.uniform(-1.0, 1.0);
       ASSERT_NO_FATAL_FAILURE(
-          expect_brute_force<D>(tree, cloud, query, 5.0, static_cast<std::size_t>(random.integer(1, 100))));
+          test::expect_brute_force<D>(tree, cloud, query, 5.0, static_cast<std::size_t>(random.integer(1, 100))));
     }
   }
 }

@@ -110,8 +110,10 @@ struct MatchRequest {
 
 /// The passes, compiled for one instruction set.
 struct Passes {
-  /// Doubles (x, y) to columns. Returns how many points are numbers; `farthest` becomes their largest coordinate.
-  std::uint32_t (*to_columns)(const double* xy, std::uint32_t count, float* x, float* y, float* farthest) noexcept;
+  /// Doubles (x, y) to columns. Returns how many points are numbers; `farthest` becomes their largest coordinate, but
+  /// for those beyond 10 km, which count as `far_ones`.
+  std::uint32_t (*to_columns)(const double* xy, std::uint32_t count, float* x, float* y, float* farthest,
+                              std::uint32_t* far_ones) noexcept;
   void (*lines)(const Request&, LineSums*) noexcept;
   void (*points)(const Request&, PointSums*) noexcept;
   /// The points at least the threshold from every map point, rising, some with `unsure`. Returns how many.

@@ -630,10 +630,10 @@ SLAMICP_PASS void match_pass(const MatchRequest& request) noexcept {
   }
 }
 
-SLAMICP_PASS std::uint32_t to_columns(const double* xy, std::uint32_t count, float* x, float* y,
-                                      float* farthest) noexcept {
+SLAMICP_PASS std::uint32_t to_columns(const double* xy, std::uint32_t count, float* x, float* y, float* farthest,
+                                      std::uint32_t* far_ones) noexcept {
   const D d;
-  const V too_large = hn::Set(d, 1e7F);
+  const V too_large = hn::Set(d, 1e4F);
   for (std::uint32_t i = 0; i < count; ++i) {
     x[i] = static_cast<float>(xy[2 * i]);
     y[i] = static_cast<float>(xy[2 * i + 1]);
@@ -652,14 +652,15 @@ SLAMICP_PASS std::uint32_t to_columns(const double* xy, std::uint32_t count, flo
     usable += static_cast<std::uint32_t>(hn::CountTrue(d, good));
   }
   *farthest = hn::GetLane(hn::MaxOfLanes(d, most));
+  *far_ones = 0;
   if (HWY_LIKELY(usable == count)) return count;
   for (std::uint32_t i = 0; i < count; ++i) {
     const double nothing = (xy[2 * i] - xy[2 * i]) + (xy[2 * i + 1] - xy[2 * i + 1]);
     if (x[i] != absent || !(nothing == 0.0)) continue;
     x[i] = far_away;  // a number, but too large for a float
-    ++usable;
+    ++*far_ones;
   }
-  return usable;
+  return usable + *far_ones;
 }
 
 constexpr Passes all_passes{to_columns, line_pass, point_pass, outlier_pass, match_pass};

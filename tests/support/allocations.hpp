@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+// Counts what is allocated. It replaces the program's operator new: for one source of a test program only.
+
+namespace slamicp::test {
+
+inline std::atomic<bool> counting{false};
+inline std::atomic<int> allocations{0};
+
+inline void* allocate(std::size_t size) {
+  if (counting) ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+
+/// How often `work` allocates.
+template <typename Work>
+int allocations_of(const Work& work) {
+  allocations = 0;
+  counting = true;
+  work();
+  counting = false;
+  return allocations;
+}
+
+}  // namespace slamicp::test
+
+// Eigen, too, comes here: what it allocates it takes from malloc only where alignment demands it, and no fixed-size
+// matrix does.
+void* operator new(std::size_t size) { return slamicp::test::allocate(size); }
+void* operator new[](std::size_t size) { return slamicp::test::allocate(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
