@@ -42,10 +42,15 @@ class PointBuffer {
 
  private:
   struct Room {
-    explicit Room(PointCloud2 all) : points(std::move(all)), used(points.size()) {}
+    explicit Room(PointCloud2 all) : points(std::move(all)), used(points.size()) { make_room(points.size()); }
     Room(PointView<2> all, std::size_t needed) : used(needed) {
-      points.reserve(needed + needed / 2 + 1024);
+      points.reserve(room_for(needed));
       points.assign(all.begin(), all.end());
+      make_room(needed);
+    }
+    static std::size_t room_for(std::size_t needed) { return needed + needed / 8 + 1024; }
+    void make_room(std::size_t needed) {
+      points.reserve(room_for(needed));
       points.resize(points.capacity());
     }
     PointCloud2 points;
