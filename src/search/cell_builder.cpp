@@ -120,26 +120,38 @@ void CellBuilder::split(std::size_t level, const Square& square, int column, int
   }
 }
 
-/// Leaves the points that are nearest to some place in the square, nearest to its centre first.
-void CellBuilder::cut_down(Points& points, const Square& square) {
+/// The order in which a cell lists its points: nearest to the centre of the square first.
+struct NearerToCentre {
+  double x, y;
+  bool operator()(const CellPoint& a, const CellPoint& b) const noexcept {
+    const double da = (a.x - x) * (a.x - x) + (a.y - y) * (a.y - y);
+    const double db = (b.x - x) * (b.x - x) + (b.y - y) * (b.y - y);
+    return da < db || (da == db && a.number() < b.number());
+  }
+};
+
+/// Leaves out points that the one nearest to the centre beats all over the square. Quick, and keeps some too many.
+void CellBuilder::thin_out(Points& points, const Square& square) {
   if (points.size() < 2) return;
   const double half = 0.5 * square.side;
   const double cx = square.x + half;
   const double cy = square.y + half;
-  const auto from_centre = [&](const CellPoint& p) { return (p.x - cx) * (p.x - cx) + (p.y - cy) * (p.y - cy); };
-  const auto nearer = [&](const CellPoint& a, const CellPoint& b) {
-    const double da = from_centre(a);
-    const double db = from_centre(b);
-    return da < db || (da == db && a.number() < b.number());
-  };
-  std::iter_swap(points.begin(), std::min_element(points.begin(), points.end(), nearer));
+  std::iter_swap(points.begin(), std::min_element(points.begin(), points.end(), NearerToCentre{cx, cy}));
   const CellPoint first = points.front();
   const auto is_out = [&](const CellPoint& p) {
     return is_beaten(p, first, cx, cy, half) || (same_place(p, first) && p.number() > first.number());
   };
   points.erase(std::remove_if(points.begin() + 1, points.end(), is_out), points.end());
+}
+
+/// Leaves the points that are nearest to some place in the square, nearest to its centre first.
+void CellBuilder::cut_down(Points& points, const Square& square) {
+  thin_out(points, square);
   if (points.size() < 2) return;
-  std::sort(points.begin() + 1, points.end(), nearer);
+  const double half = 0.5 * square.side;
+  const double cx = square.x + half;
+  const double cy = square.y + half;
+  std::sort(points.begin() + 1, points.end(), NearerToCentre{cx, cy});
 
   survivors_.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -159,25 +171,6 @@ void CellBuilder::cut_down(Points& points, const Square& square) {
     if (!clip.empty() && !has_twin) survivors_.push_back(p);
   }
   points.assign(survivors_.begin(), survivors_.end());
-}
-
-/// Leaves out points that the one nearest to the centre beats all over the square. Quick, and keeps some too many.
-void CellBuilder::thin_out(Points& points, const Square& square) {
-  if (points.size() < 2) return;
-  const double half = 0.5 * square.side;
-  const double cx = square.x + half;
-  const double cy = square.y + half;
-  const auto nearer = [&](const CellPoint& a, const CellPoint& b) {
-    const double da = (a.x - cx) * (a.x - cx) + (a.y - cy) * (a.y - cy);
-    const double db = (b.x - cx) * (b.x - cx) + (b.y - cy) * (b.y - cy);
-    return da < db || (da == db && a.number() < b.number());
-  };
-  std::iter_swap(points.begin(), std::min_element(points.begin(), points.end(), nearer));
-  const CellPoint first = points.front();
-  const auto is_out = [&](const CellPoint& p) {
-    return is_beaten(p, first, cx, cy, half) || (same_place(p, first) && p.number() > first.number());
-  };
-  points.erase(std::remove_if(points.begin() + 1, points.end(), is_out), points.end());
 }
 
 /// Starts with all that a table has.

@@ -341,6 +341,32 @@ SLAMICP_PASS std::uint32_t note_undecided(const Request& request, const Sequence
   return noted;
 }
 
+/// Goes through the scan: use(block, k, hit) for the points from k on, hit where their pair is within the gate. Returns
+/// how many points are noted as undecided.
+/// @tparam want_place  the pairs' places, else their lines
+template <bool want_place, class Use>
+SLAMICP_PASS std::uint32_t for_each_vector(const Request& request, const Use& use) {
+  const D d;
+  const Sequence sequence{request.scan, request.stride};
+  const std::uint32_t count = sequence.count();
+  std::uint32_t undecided = 0;
+  Block block;
+  for (std::uint32_t begin = 0; begin < count; begin += block_size) {
+    load_block(sequence, begin, block);
+    place_block(request.window, request.place, block);
+    search_block<want_place>(request, block);
+    M open = hn::FirstN(d, 0);
+    for (std::uint32_t k = 0; k < block.count; k += lanes) {
+      const Verdict verdict = judge(request, block, k);
+      open = hn::Or(open, verdict.open);
+      use(block, k, verdict.hit);
+    }
+    if (HWY_UNLIKELY(block.undecided != 0 || request.looks_farther || !hn::AllFalse(d, open)))
+      undecided = note_undecided(request, sequence, block, undecided);
+  }
+  return undecided;
+}
+
 SLAMICP_PASS V kernel_weights(RobustKernel kernel, float scale, V residual) {
   const D d;
   const V one = hn::Set(d, 1.0F);
@@ -372,60 +398,44 @@ SLAMICP_PASS void line_pass_as(const Request& request, LineSums* sums) {
   const D d;
   const DI di;
   const DU du;
-  const Sequence sequence{request.scan, request.stride};
-  const std::uint32_t count = sequence.count();
   const V unit = hn::Set(d, 1.0F / line_scale);
   V xx = hn::Zero(d), xy = xx, yy = xx, xt = xx, yt = xx, tt = xx, gx = xx, gy = xx, gt = xx, ranges = xx;
   std::size_t pairs = 0;
-  std::uint32_t undecided = 0;
-  Block block;
-  for (std::uint32_t begin = 0; begin < count; begin += block_size) {
-    load_block(sequence, begin, block);
-    place_block(request.window, request.place, block);
-    search_block<false>(request, block);
-    M open = hn::FirstN(d, 0);
-
-    for (std::uint32_t k = 0; k < block.count; k += lanes) {
-      const Verdict verdict = judge(request, block, k);
-      const M hit = verdict.hit;
-      open = hn::Or(open, verdict.open);
-      VU packed, offset;
-      hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(block.line + k), packed, offset);
-      const VI normal = hn::IfThenElseZero(hn::RebindMask(di, hit), hn::BitCast(di, packed));
-      const V nx = hn::Mul(unit, hn::ConvertTo(d, hn::ShiftRight<16>(hn::ShiftLeft<16>(normal))));
-      const V ny = hn::Mul(unit, hn::ConvertTo(d, hn::ShiftRight<16>(normal)));
-      const V x = hn::Load(d, block.x + k);
-      const V y = hn::Load(d, block.y + k);
-      const V rx = hn::Load(d, block.rx + k);
-      const V ry = hn::Load(d, block.ry + k);
-      const M used_lines = hn::RebindMask(d, hn::Ne(normal, hn::Zero(di)));
-      const V line_offset = hn::IfThenElseZero(used_lines, hn::BitCast(d, offset));
-      const V residual = hn::NegMulAdd(nx, x, hn::NegMulAdd(ny, y, line_offset));
-      const V turn = hn::Sub(hn::Mul(ny, rx), hn::Mul(nx, ry));
-      M used = used_lines;
-      V wx = nx, wy = ny, wt = turn;
-      if constexpr (weighted) {
-        const V weight = kernel_weights(request.kernel, request.kernel_scale, residual);
-        wx = hn::Mul(wx, weight);
-        wy = hn::Mul(wy, weight);
-        wt = hn::Mul(wt, weight);
-        used = hn::And(used, hn::Gt(weight, hn::Zero(d)));
-      }
-      xx = hn::MulAdd(wx, nx, xx);
-      xy = hn::MulAdd(wx, ny, xy);
-      yy = hn::MulAdd(wy, ny, yy);
-      xt = hn::MulAdd(wx, turn, xt);
-      yt = hn::MulAdd(wy, turn, yt);
-      tt = hn::MulAdd(wt, turn, tt);
-      gx = hn::MulAdd(wx, residual, gx);
-      gy = hn::MulAdd(wy, residual, gy);
-      gt = hn::MulAdd(wt, residual, gt);
-      ranges = hn::Add(ranges, hn::IfThenElseZero(used, hn::MulAdd(rx, rx, hn::Mul(ry, ry))));
-      pairs += hn::CountTrue(d, used);
+  const std::uint32_t undecided = for_each_vector<false>(request, [&](const Block& block, std::uint32_t k, M hit) {
+    VU packed, offset;
+    hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(block.line + k), packed, offset);
+    const VI normal = hn::IfThenElseZero(hn::RebindMask(di, hit), hn::BitCast(di, packed));
+    const V nx = hn::Mul(unit, hn::ConvertTo(d, hn::ShiftRight<16>(hn::ShiftLeft<16>(normal))));
+    const V ny = hn::Mul(unit, hn::ConvertTo(d, hn::ShiftRight<16>(normal)));
+    const V x = hn::Load(d, block.x + k);
+    const V y = hn::Load(d, block.y + k);
+    const V rx = hn::Load(d, block.rx + k);
+    const V ry = hn::Load(d, block.ry + k);
+    const M used_lines = hn::RebindMask(d, hn::Ne(normal, hn::Zero(di)));
+    const V line_offset = hn::IfThenElseZero(used_lines, hn::BitCast(d, offset));
+    const V residual = hn::NegMulAdd(nx, x, hn::NegMulAdd(ny, y, line_offset));
+    const V turn = hn::Sub(hn::Mul(ny, rx), hn::Mul(nx, ry));
+    M used = used_lines;
+    V wx = nx, wy = ny, wt = turn;
+    if constexpr (weighted) {
+      const V weight = kernel_weights(request.kernel, request.kernel_scale, residual);
+      wx = hn::Mul(wx, weight);
+      wy = hn::Mul(wy, weight);
+      wt = hn::Mul(wt, weight);
+      used = hn::And(used, hn::Gt(weight, hn::Zero(d)));
     }
-    if (HWY_UNLIKELY(block.undecided != 0 || request.looks_farther || !hn::AllFalse(d, open)))
-      undecided = note_undecided(request, sequence, block, undecided);
-  }
+    xx = hn::MulAdd(wx, nx, xx);
+    xy = hn::MulAdd(wx, ny, xy);
+    yy = hn::MulAdd(wy, ny, yy);
+    xt = hn::MulAdd(wx, turn, xt);
+    yt = hn::MulAdd(wy, turn, yt);
+    tt = hn::MulAdd(wt, turn, tt);
+    gx = hn::MulAdd(wx, residual, gx);
+    gy = hn::MulAdd(wy, residual, gy);
+    gt = hn::MulAdd(wt, residual, gt);
+    ranges = hn::Add(ranges, hn::IfThenElseZero(used, hn::MulAdd(rx, rx, hn::Mul(ry, ry))));
+    pairs += hn::CountTrue(d, used);
+  });
   *sums = {sum(xx),
            sum(xy),
            sum(yy),
@@ -449,53 +459,37 @@ SLAMICP_PASS void line_pass(const Request& request, LineSums* sums) noexcept {
 
 SLAMICP_PASS void point_pass(const Request& request, PointSums* sums) noexcept {
   const D d;
-  const Sequence sequence{request.scan, request.stride};
-  const std::uint32_t count = sequence.count();
   const V origin_x = hn::Set(d, request.place.x);
   const V origin_y = hn::Set(d, request.place.y);
   V w = hn::Zero(d), sx = w, sy = w, tx = w, ty = w, xx = w, xy = w, yx = w, yy = w, ranges = w;
   std::size_t pairs = 0;
-  std::uint32_t undecided = 0;
-  Block block;
-  for (std::uint32_t begin = 0; begin < count; begin += block_size) {
-    load_block(sequence, begin, block);
-    place_block(request.window, request.place, block);
-    search_block<true>(request, block);
-    M open = hn::FirstN(d, 0);
-
-    for (std::uint32_t k = 0; k < block.count; k += lanes) {
-      const Verdict verdict = judge(request, block, k);
-      const M hit = verdict.hit;
-      open = hn::Or(open, verdict.open);
-      const V map_x = hn::Load(d, block.map_x + k);
-      const V map_y = hn::Load(d, block.map_y + k);
-      const V dx = hn::Sub(map_x, hn::Add(hn::Load(d, block.rx + k), origin_x));
-      const V dy = hn::Sub(map_y, hn::Add(hn::Load(d, block.ry + k), origin_y));
-      const V distance = hn::Sqrt(hn::IfThenElseZero(hit, hn::MulAdd(dx, dx, hn::Mul(dy, dy))));
-      const V weight = hn::IfThenElseZero(hit, kernel_weights(request.kernel, request.kernel_scale, distance));
-      const M used = hn::Gt(weight, hn::Zero(d));
-      // Where there is no pair, coordinates may be large, and infinity times nothing is not nothing.
-      const V mx = hn::IfThenElseZero(used, map_x);
-      const V my = hn::IfThenElseZero(used, map_y);
-      const V px = hn::IfThenElseZero(used, hn::Load(d, block.px + k));
-      const V py = hn::IfThenElseZero(used, hn::Load(d, block.py + k));
-      const V wpx = hn::Mul(weight, px);
-      const V wpy = hn::Mul(weight, py);
-      w = hn::Add(w, weight);
-      sx = hn::Add(sx, wpx);
-      sy = hn::Add(sy, wpy);
-      tx = hn::MulAdd(weight, mx, tx);
-      ty = hn::MulAdd(weight, my, ty);
-      xx = hn::MulAdd(mx, wpx, xx);
-      xy = hn::MulAdd(mx, wpy, xy);
-      yx = hn::MulAdd(my, wpx, yx);
-      yy = hn::MulAdd(my, wpy, yy);
-      ranges = hn::Add(ranges, hn::MulAdd(px, px, hn::Mul(py, py)));
-      pairs += hn::CountTrue(d, used);
-    }
-    if (HWY_UNLIKELY(block.undecided != 0 || request.looks_farther || !hn::AllFalse(d, open)))
-      undecided = note_undecided(request, sequence, block, undecided);
-  }
+  const std::uint32_t undecided = for_each_vector<true>(request, [&](const Block& block, std::uint32_t k, M hit) {
+    const V map_x = hn::Load(d, block.map_x + k);
+    const V map_y = hn::Load(d, block.map_y + k);
+    const V dx = hn::Sub(map_x, hn::Add(hn::Load(d, block.rx + k), origin_x));
+    const V dy = hn::Sub(map_y, hn::Add(hn::Load(d, block.ry + k), origin_y));
+    const V distance = hn::Sqrt(hn::IfThenElseZero(hit, hn::MulAdd(dx, dx, hn::Mul(dy, dy))));
+    const V weight = hn::IfThenElseZero(hit, kernel_weights(request.kernel, request.kernel_scale, distance));
+    const M used = hn::Gt(weight, hn::Zero(d));
+    // Where there is no pair, coordinates may be large, and infinity times nothing is not nothing.
+    const V mx = hn::IfThenElseZero(used, map_x);
+    const V my = hn::IfThenElseZero(used, map_y);
+    const V px = hn::IfThenElseZero(used, hn::Load(d, block.px + k));
+    const V py = hn::IfThenElseZero(used, hn::Load(d, block.py + k));
+    const V wpx = hn::Mul(weight, px);
+    const V wpy = hn::Mul(weight, py);
+    w = hn::Add(w, weight);
+    sx = hn::Add(sx, wpx);
+    sy = hn::Add(sy, wpy);
+    tx = hn::MulAdd(weight, mx, tx);
+    ty = hn::MulAdd(weight, my, ty);
+    xx = hn::MulAdd(mx, wpx, xx);
+    xy = hn::MulAdd(mx, wpy, xy);
+    yx = hn::MulAdd(my, wpx, yx);
+    yy = hn::MulAdd(my, wpy, yy);
+    ranges = hn::Add(ranges, hn::MulAdd(px, px, hn::Mul(py, py)));
+    pairs += hn::CountTrue(d, used);
+  });
   *sums = {sum(w),
            sum(sx),
            sum(sy),
