@@ -27,12 +27,15 @@ template <int D>
 typename PointMap<D>::Pointer PointMap<D>::create(PointCloud<D> points, const SurfaceOptions& options,
                                                   const CellOptions& cells) requires(D == 2) {
   check_some_are_finite<D>(points);
-  return Pointer(new PointMap(IndexedPoints<D>(std::move(points), options, cells), 0));
+  // clang 14 instantiates this in space too, where nobody can call it.
+  if constexpr (D == 2) return Pointer(new PointMap(IndexedPoints<D>(std::move(points), options, cells), 0));
+  return nullptr;
 }
 
 template <int D>
 typename PointMap<D>::Pointer PointMap<D>::with_removed(std::span<const int> which) const requires(D == 2) {
-  return Pointer(new PointMap(indexed_.with_removed(which), version_ + 1));
+  if constexpr (D == 2) return Pointer(new PointMap(indexed_.with_removed(which), version_ + 1));
+  return nullptr;
 }
 
 template <int D>

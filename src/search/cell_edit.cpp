@@ -123,7 +123,8 @@ void CellIndexEdit::find_touched(std::span<const int> moved) {
   };
   std::map<TilePlace, std::vector<int>> by_tile;
   for (const int number : moved) by_tile[before_.grid.place_of(place(number))].push_back(number);
-  for (const auto& [unused, some] : by_tile) {
+  for (const auto& entry : by_tile) {
+    const std::vector<int>& some = entry.second;
     Bounds<2> bounds;
     for (const int number : some) bounds.include(place(number));
     const Point2 radius = Point2::Constant(before_.surfaces.radius);

@@ -25,7 +25,8 @@ class PointMap {
   /// near a place first; readers go on meanwhile. @returns how many were built, 0 when it is done. See
   /// CellIndex::build.
   std::size_t build(std::size_t tiles, const Point2& near) const requires(D == 2) {
-    return indexed_.cells().build(tiles, near);
+    if constexpr (D == 2) return indexed_.cells().build(tiles, near);
+    return 0;
   }
 
   /// This map without some points, in the plane: they keep their numbers but are no longer finite. Throws Error where a
