@@ -92,7 +92,7 @@ PointClass class_of(bool is_inlier, bool is_outlier) noexcept {
 class Stride {
  public:
   explicit Stride(std::size_t points) noexcept {
-    while (value_ < coarsest && points / (2 * value_) >= enough) value_ *= 2;
+    while (value_ < coarsest && points / (2 * value_) > enough) value_ *= 2;
   }
 
   std::size_t value() const noexcept { return value_; }
