@@ -17,8 +17,7 @@ void for_each_pair(const StepInput<D>& input, Correspondences<D>& correspondence
   const Matrix<D, D> rotation = input.pose.rotation();
   const Point<D> translation = input.pose.translation();
   const double gate2 = input.gate * input.gate;
-  for (std::size_t k = 0; k < input.scan.size() / input.stride; ++k) {
-    const std::size_t i = every_index(k, input.stride);
+  for (std::size_t i = input.stride / 2; i < input.scan.size(); i += input.stride) {
     if (!correspondences.finite(i)) continue;
     const Point<D> in_map = rotation * input.scan[i] + translation;
     const Neighbour neighbour = correspondences.nearest(i, in_map);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-
 #include <slamicp/geometry/pose.hpp>
 #include <slamicp/registration/icp_options.hpp>
 
@@ -15,7 +13,7 @@ template <int D>
 struct StepInput {
   const IndexedPoints<D>& map;
   PointView<D> scan;
-  std::size_t stride;  // one point out of every so many takes part, a power of 2
+  std::size_t stride;  // every so many-th point takes part, beginning in the middle of the first stride
   const Pose<D>& pose;
   double gate;  // pairs at least this far apart take no part [m]
   RobustKernel kernel;
@@ -23,12 +21,6 @@ struct StepInput {
   const Pose<D>& guess;
   double guess_share;  // of the pairs, that hold the guess
 };
-
-/// Which one of the k-th `stride` points: now this, now that, so that a cloud whose points take turns between two walls
-/// does not show only one of them.
-inline std::size_t every_index(std::size_t k, std::size_t stride) noexcept {
-  return k * stride + ((static_cast<std::uint32_t>(k) * 2654435769U >> 29U) & (stride - 1));
-}
 
 template <int D>
 struct Step {

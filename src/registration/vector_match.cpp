@@ -108,7 +108,7 @@ pass::Limit VectorMatch::limit(double distance) const noexcept {
 }
 
 pass::Request VectorMatch::request(const StepInput<2>& input) noexcept {
-  searches_ += input.scan.size() / input.stride;
+  searches_ += (input.scan.size() - input.stride / 2 + input.stride - 1) / input.stride;
   const pass::Window window = window_at(input.pose);
   return {columns(),
           static_cast<std::uint32_t>(input.stride),

@@ -45,7 +45,7 @@ struct Place {
 
 struct Request {
   ScanColumns scan;
-  std::uint32_t stride;  // one point out of every so many, a power of 2
+  std::uint32_t stride;  // every so many-th point, beginning in the middle of the first stride
   Window window;
   Place place;
   Limit gate;

@@ -45,15 +45,13 @@ struct Block {
   std::uint64_t undecided;                               // a bit for each point that the tables cannot answer
 };
 
-/// One point out of every `stride`, 1, 2, 4 or 8, as Step's every_index() has it.
+/// Points first, first + stride, ... of the scan.
 struct Sequence {
   ScanColumns scan;
   std::uint32_t stride;
 
-  HWY_INLINE std::uint32_t count() const { return scan.count / stride; }
-  HWY_INLINE std::uint32_t index(std::uint32_t k) const {
-    return k * stride + ((k * 2654435769U >> 29U) & (stride - 1));
-  }
+  HWY_INLINE std::uint32_t count() const { return (scan.count - stride / 2 + stride - 1) / stride; }
+  HWY_INLINE std::uint32_t index(std::uint32_t k) const { return stride / 2 + k * stride; }
 };
 
 /// Loads points of the sequence; behind its end they are absent.
