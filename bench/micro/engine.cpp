@@ -32,18 +32,9 @@ PointCloud2 corridor_scan() {
 
 const Pose2 standing{8.0, 1.25, 0.0};
 
+template <typename Index>
 void query(benchmark::State& state) {
-  const IndexedPoints<2> map(corridor_map());
-  const PointCloud2 scan = corridor_scan();
-  std::size_t k = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(map.nearest(standing * scan[k], 0.3));
-    k = k + 1 == scan.size() ? 0 : k + 1;
-  }
-}
-
-void query_kd_tree(benchmark::State& state) {
-  const KdTree<2> map(corridor_map());
+  const Index map(corridor_map());
   const PointCloud2 scan = corridor_scan();
   std::size_t k = 0;
   for (auto _ : state) {
@@ -73,8 +64,8 @@ void insert(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(map.with_added(box).size());
 }
 
-BENCHMARK(query);
-BENCHMARK(query_kd_tree);
+BENCHMARK(query<IndexedPoints<2>>);
+BENCHMARK(query<KdTree<2>>);
 BENCHMARK_CAPTURE(match, best, InstructionSet::best, true, 50);
 BENCHMARK_CAPTURE(match, best_one_full_pass, InstructionSet::best, false, 1);
 BENCHMARK_CAPTURE(match, best_two_full_passes, InstructionSet::best, false, 2);

@@ -27,7 +27,7 @@ void VectorMatch::reserve(std::size_t points) {
   numbers_.resize(std::max(numbers_.size(), points));
   squared_distances_.resize(std::max(squared_distances_.size(), points));
   distances_.resize(std::max(distances_.size(), points));
-  constexpr auto widest = static_cast<std::size_t>(2 * most_tiles + 1);
+  constexpr std::size_t widest = 2 * std::size_t{most_tiles} + 1;
   tables_.reserve(widest * widest + 1);
 }
 

@@ -36,6 +36,9 @@ class CellIndexEdit {
   void find_touched(std::span<const int> moved);
   void make_tiles();
   void fit_lines();
+  /// A point's line, if it was fitted anew; else null.
+  const Line* fitted(int number) const noexcept;
+  CellPoint as_seen(const Change& from, int number, const Line& line) const noexcept;
   void publish_lines(const Change& change) const;
   void make_table(Change& change);
   Point2 point(int number) const noexcept { return next_->points.view()[static_cast<std::size_t>(number)]; }
@@ -72,11 +75,7 @@ CellIndexEdit::Change& CellIndexEdit::change(TilePlace place) {
 
 template <typename Use>
 void CellIndexEdit::for_each_within_reach(const Point2& point, const Use& use) {
-  const double reach = before_.cells.reach + before_.grid.cell;
-  const TilePlace lower = before_.grid.place_of(point - Point2::Constant(reach));
-  const TilePlace upper = before_.grid.place_of(point + Point2::Constant(reach));
-  for (int y = lower.y; y <= upper.y; ++y)
-    for (int x = lower.x; x <= upper.x; ++x) use(change({x, y}));
+  before_.for_each_place_within_reach({point, point}, [&](TilePlace at) { use(change(at)); });
 }
 
 void CellIndexEdit::add(std::size_t first) {
@@ -90,12 +89,9 @@ void CellIndexEdit::add(std::size_t first) {
   make_tiles();
   fit_lines();
   for (const int number : added_) {
-    const auto line = std::lower_bound(lines_.begin(), lines_.end(), std::pair(number, Line{}),
-                                       [](const auto& a, const auto& b) { return a.first < b.first; });
-    for_each_within_reach(point(number), [&](Change& at) {
-      const Point2 place = point(number) - before_.grid.corner(at.tile->place());
-      at.added.push_back(cell_point(place, number, line != lines_.end() ? line->second : Line{}));
-    });
+    const Line* line = fitted(number);
+    for_each_within_reach(point(number),
+                          [&](Change& at) { at.added.push_back(as_seen(at, number, line ? *line : Line{})); });
   }
 }
 
@@ -163,10 +159,19 @@ void CellIndexEdit::fit_lines() {
     for (const int number : *some) lines_.emplace_back(number, next_->fit_line(number));
   for (const auto& [number, line] : std::span(lines_).first(touched_.size()))
     for_each_within_reach(point(number), [&, number = number, line = line](Change& at) {
-      const Point2 place = point(number) - before_.grid.corner(at.tile->place());
-      at.changed.push_back(cell_point(place, number, line));
+      at.changed.push_back(as_seen(at, number, line));
     });
   for (const auto& [place, at] : changes_) publish_lines(at);
+}
+
+const Line* CellIndexEdit::fitted(int number) const noexcept {
+  const auto found = std::lower_bound(lines_.begin(), lines_.end(), number,
+                                      [](const auto& one, int wanted) { return one.first < wanted; });
+  return found != lines_.end() && found->first == number ? &found->second : nullptr;
+}
+
+CellPoint CellIndexEdit::as_seen(const Change& from, int number, const Line& line) const noexcept {
+  return cell_point(point(number) - before_.grid.corner(from.tile->place()), number, line);
 }
 
 void CellIndexEdit::publish_lines(const Change& change) const {
@@ -176,10 +181,8 @@ void CellIndexEdit::publish_lines(const Change& change) const {
   lines->reserve(change.tile->numbers().size());
   std::size_t j = 0;  // both tiles have their points in the same order
   for (const int number : change.tile->numbers()) {
-    const auto fitted = std::lower_bound(lines_.begin(), lines_.end(), number,
-                                         [](const auto& one, int wanted) { return one.first < wanted; });
-    if (fitted != lines_.end() && fitted->first == number) {
-      lines->push_back(fitted->second);
+    if (const Line* line = fitted(number)) {
+      lines->push_back(*line);
       continue;
     }
     while (change.old->numbers()[j] != number) ++j;
@@ -204,10 +207,7 @@ void CellIndexEdit::make_table(Change& change) {
 
 CellIndex CellIndexEdit::finish() {
   for (auto& [place, at] : changes_) make_table(at);
-  if (next_->points.size() > next_->spacing_of + next_->spacing_of / 8) {
-    next_->spacing = next_->sample_spacing();
-    next_->spacing_of = next_->points.size();
-  }
+  if (next_->points.size() > next_->spacing_of + next_->spacing_of / 8) next_->measure_spacing();
   return CellIndex(std::shared_ptr<const State>(std::move(next_)));
 }
 

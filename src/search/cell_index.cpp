@@ -6,6 +6,7 @@
 
 #include "search/cell_state.hpp"
 #include "search/parallel.hpp"
+#include "search/spacing.hpp"
 #include "search/surface_fit.hpp"
 
 namespace slamicp {
@@ -56,19 +57,6 @@ std::vector<Residents> by_tile(PointView<2> points, const TileGrid& grid) {
   return tiles;
 }
 
-/// Calls use(place) for every other tile that has a place within reach of one of the points.
-template <typename Use>
-void for_each_neighbour_within(TilePlace place, std::span<const int> numbers, PointView<2> points, const TileGrid& grid,
-                               double reach, const Use& use) {
-  Bounds<2> bounds;
-  for (const int number : numbers) bounds.include(points[static_cast<std::size_t>(number)]);
-  const TilePlace lower = grid.place_of(bounds.lower - Point2::Constant(reach + grid.cell));
-  const TilePlace upper = grid.place_of(bounds.upper + Point2::Constant(reach + grid.cell));
-  for (int y = lower.y; y <= upper.y; ++y)
-    for (int x = lower.x; x <= upper.x; ++x)
-      if (TilePlace{x, y} != place) use(TilePlace{x, y});
-}
-
 }  // namespace
 
 std::uint64_t next_index_id() noexcept {
@@ -91,48 +79,44 @@ CellIndex::CellIndex(PointCloud2 points, const SurfaceOptions& surfaces, const C
   const PointView<2> all = state->points.view();
   std::vector<Residents> residents = by_tile(all, state->grid);
   std::vector<TilePlace> around;
-  for (const auto& [place, some] : residents)
-    for_each_neighbour_within(place, some, all, state->grid, cells.reach, [&](TilePlace at) { around.push_back(at); });
+  for (const Residents& some : residents) {
+    Bounds<2> bounds;
+    for (const int number : some.numbers) bounds.include(all[static_cast<std::size_t>(number)]);
+    state->for_each_place_within_reach(bounds, [&](TilePlace at) { around.push_back(at); });
+  }
   for (auto& [place, some] : residents)
     state->tiles.set(place, std::make_shared<Tile>(place, std::move(some), all, state->grid), state->id);
   for (const TilePlace at : around)
     if (state->tiles.find(at) == nullptr)
       state->tiles.set(at, std::make_shared<Tile>(at, std::vector<int>(), all, state->grid), state->id);
-  state->spacing = state->sample_spacing();
-  state->spacing_of = all.size();
+  state->measure_spacing();
   state->progress->places.reserve(state->tiles.size());
   state->tiles.for_each([&](const Tile& tile) { state->progress->places.push_back(tile.place()); });
   if (cells.eager) state->build_all();
   state_ = state;
 }
 
-double CellIndex::State::sample_spacing() const noexcept {
-  constexpr std::size_t samples = 256;
-  std::array<double, samples> distances{};
-  std::size_t count = 0;
-  const PointView<2> all = points.view();
-  const std::size_t step = std::max<std::size_t>(1, all.size() / samples);
-  for (std::size_t k = 0; k < all.size() && count < samples; k += step) {
-    if (!can_be_found(all[k])) continue;
-    std::array<Neighbour, 2> two;
-    NearestKVisitor visitor{1e12, two, 0};
-    search().visit(all[k], visitor);
-    if (visitor.count == 2) distances[count++] = std::sqrt(two[1].squared_distance);
-  }
-  if (count == 0) return 0.0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(distances.begin(), middle, distances.begin() + static_cast<std::ptrdiff_t>(count));
-  return *middle;
+std::size_t CellIndex::State::nearest_k(const Point2& query, double reach, std::span<Neighbour> found) const noexcept {
+  if (found.empty()) return 0;
+  NearestKVisitor visitor{reach * reach, found, 0};
+  search().visit(query, visitor);
+  return visitor.count;
+}
+
+void CellIndex::State::measure_spacing() noexcept {
+  spacing = sample_spacing<2>(points.view(), [&](const Point2& point, double reach, std::span<Neighbour> found) {
+    return can_be_found(point) ? nearest_k(point, reach, found) : 0;
+  });
+  spacing_of = points.size();
 }
 
 Line CellIndex::State::fit_line(int number) const noexcept {
   const PointView<2> all = points.view();
   const Point2& point = all[static_cast<std::size_t>(number)];
   std::array<Neighbour, max_surface_neighbours> room;
-  NearestKVisitor visitor{surfaces.radius * surfaces.radius,
-                          std::span(room.data(), static_cast<std::size_t>(surfaces.neighbours)), 0};
-  search().visit(point, visitor);
-  const std::span<const Neighbour> found(room.data(), visitor.count);
+  const std::size_t count =
+      nearest_k(point, surfaces.radius, std::span(room.data(), static_cast<std::size_t>(surfaces.neighbours)));
+  const std::span<const Neighbour> found(room.data(), count);
   const auto place = [&](int k) -> const Point2& { return all[static_cast<std::size_t>(k)]; };
   const Surface2 surface = fit_surface<2>(point, found, surfaces, place);
   Line line;
@@ -295,10 +279,7 @@ NearestTwo CellIndex::nearest_two(const Point2& query, double reach) const noexc
 }
 
 std::size_t CellIndex::nearest_k(const Point2& query, double reach, std::span<Neighbour> found) const noexcept {
-  if (found.empty()) return 0;
-  NearestKVisitor visitor{reach * reach, found, 0};
-  state_->search().visit(query, visitor);
-  return visitor.count;
+  return state_->nearest_k(query, reach, found);
 }
 
 void CellIndex::within(const Point2& query, double radius, std::vector<int>& indices) const {

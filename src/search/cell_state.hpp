@@ -31,7 +31,18 @@ struct CellIndex::State {
   std::shared_ptr<BuildProgress> progress;
 
   TileSearch search() const noexcept { return {grid, points.view(), tiles}; }
-  double sample_spacing() const noexcept;
+  std::size_t nearest_k(const Point2& query, double reach, std::span<Neighbour> found) const noexcept;
+  void measure_spacing() noexcept;
+
+  /// Calls use(place) for the tiles that a point within the bounds can be a candidate in.
+  template <typename Use>
+  void for_each_place_within_reach(const Bounds<2>& bounds, const Use& use) const {
+    const Point2 reach = Point2::Constant(cells.reach + grid.cell);
+    const TilePlace lower = grid.place_of(bounds.lower - reach);
+    const TilePlace upper = grid.place_of(bounds.upper + reach);
+    for (int y = lower.y; y <= upper.y; ++y)
+      for (int x = lower.x; x <= upper.x; ++x) use(TilePlace{x, y});
+  }
 
   /// Estimates the line at a point: reads coordinates only.
   Line fit_line(int number) const noexcept;

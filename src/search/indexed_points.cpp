@@ -6,15 +6,25 @@
 #include <slamicp/search/indexed_points.hpp>
 
 #include "search/parallel.hpp"
+#include "search/spacing.hpp"
 #include "search/surface_fit.hpp"
 
 namespace slamicp {
+namespace {
+
+double spacing_of(const IndexedPoints<3>& points) noexcept {
+  return sample_spacing<3>(points.points(), [&](const Point3& point, double reach, std::span<Neighbour> found) {
+    return points.nearest_k(point, reach, found);
+  });
+}
+
+}  // namespace
 
 IndexedPoints<3>::IndexedPoints(PointCloud3 points, const SurfaceOptions& surfaces)
     : points_(std::move(points)), options_(surfaces) {
   check(surfaces);
   index_from(0);
-  spacing_ = sample_spacing();
+  spacing_ = spacing_of(*this);
   if (options_.neighbours == 0) return;
   surfaces_.resize(points_.size());
   window_.resize(points_.size(), std::numeric_limits<float>::infinity());
@@ -28,7 +38,7 @@ IndexedPoints<3> IndexedPoints<3>::with_added(PointView<3> added) const {
   const std::size_t first = points_.size();
   grown.points_.insert(grown.points_.end(), added.begin(), added.end());
   grown.index_from(first);
-  grown.spacing_ = grown.sample_spacing();
+  grown.spacing_ = spacing_of(grown);
   if (!has_surfaces() && (first > 0 || options_.neighbours == 0)) return grown;
 
   grown.surfaces_.resize(grown.points_.size());
@@ -119,21 +129,6 @@ void IndexedPoints<3>::estimate_surfaces(std::span<const int> which) {
       if (is_finite<3>(points_[k])) estimate_surface(k);
     }
   });
-}
-
-double IndexedPoints<3>::sample_spacing() const noexcept {
-  constexpr std::size_t samples = 256;
-  std::array<double, samples> distances{};
-  std::size_t count = 0;
-  const std::size_t step = std::max<std::size_t>(1, points_.size() / samples);
-  for (std::size_t k = 0; k < points_.size() && count < samples; k += step) {
-    std::array<Neighbour, 2> two;
-    if (nearest_k(points_[k], 1e6, two) == 2) distances[count++] = std::sqrt(two[1].squared_distance);
-  }
-  if (count == 0) return 0.0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(distances.begin(), middle, distances.begin() + static_cast<std::ptrdiff_t>(count));
-  return *middle;
 }
 
 }  // namespace slamicp

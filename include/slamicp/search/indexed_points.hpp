@@ -92,7 +92,6 @@ class IndexedPoints<3> {
   void estimate_surface(std::size_t k) noexcept;
   void estimate_surfaces(std::span<const int> which);
   std::vector<int> touched_by(std::size_t first_new) const;
-  double sample_spacing() const noexcept;
 
   struct Tree {
     std::shared_ptr<const KdTree<3>> tree;

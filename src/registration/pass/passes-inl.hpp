@@ -19,7 +19,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<float, 16>;
 using DI = hn::RebindToSigned<D>;
 using DU = hn::RebindToUnsigned<D>;
-using D64 = hn::Repartition<std::uint64_t, D>;
 using V = hn::Vec<D>;
 using VI = hn::Vec<DI>;
 using VU = hn::Vec<DU>;
@@ -36,7 +35,7 @@ struct Block {
   HWY_ALIGN float px[block_size], py[block_size];        // in the robot's frame
   HWY_ALIGN float rx[block_size], ry[block_size];        // turned into the map's axes
   HWY_ALIGN float x[block_size], y[block_size];          // from the corner of the point's tile
-  HWY_ALIGN std::uint32_t place[block_size + 2];         // the same as a CellPlace
+  HWY_ALIGN std::uint32_t place[block_size];             // the same as a CellPlace
   HWY_ALIGN std::uint32_t tile[block_size];              // into Window::tables
   HWY_ALIGN std::uint32_t cell[block_size];              // into CellTable::cells
   HWY_ALIGN std::uint32_t squared[block_size];           // distance to the nearest candidate, in units of places
@@ -45,7 +44,7 @@ struct Block {
   std::uint64_t undecided;                               // a bit for each point that the tables cannot answer
 };
 
-/// Points first, first + stride, ... of the scan.
+/// One point out of every `stride`, the one in the middle.
 struct Sequence {
   ScanColumns scan;
   std::uint32_t stride;
@@ -152,6 +151,18 @@ SLAMICP_PASS void place_block(const Window& window, const Place& place, Block& b
   }
 }
 
+/// Calls use(block) for one block of points in the map after the other.
+template <class Use>
+SLAMICP_PASS void for_each_block(const Sequence& sequence, const Window& window, const Place& place, const Use& use) {
+  Block block;
+  const std::uint32_t count = sequence.count();
+  for (std::uint32_t begin = 0; begin < count; begin += block_size) {
+    load_block(sequence, begin, block);
+    place_block(window, place, block);
+    use(block);
+  }
+}
+
 // Candidates are compared by their squared distance in whole units, whose lowest four bits say which one it is.
 constexpr std::uint32_t which_bits = 15;
 constexpr std::uint32_t far = 0x7FFFFFF0U;  // a squared distance beyond all
@@ -166,13 +177,12 @@ struct Found {
 
 /// The least lane.
 template <class Tag>
-SLAMICP_PASS std::uint32_t least(Tag tag, hn::Vec<Tag> v) {
+SLAMICP_PASS std::uint32_t least(Tag, hn::Vec<Tag> v) {
   if constexpr (hn::MaxLanes(Tag()) > 4) {
     const hn::Half<Tag> half;
     return least(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
   } else {
     const auto pairs = hn::Min(v, hn::Shuffle1032(v));
-    (void)tag;
     return hn::GetLane(hn::Min(pairs, hn::Shuffle2301(pairs)));
   }
 }
@@ -282,6 +292,11 @@ SLAMICP_PASS const CellLine* line_of(const CellTable* table, std::uint32_t candi
   return reinterpret_cast<const CellLine*>(table) - 1 - candidate;
 }
 
+/// Nothing is near the lanes behind the block's last point.
+SLAMICP_PASS void close_block(Block& block) {
+  for (std::uint32_t i = block.count; i % lanes != 0; ++i) block.squared[i] = far;
+}
+
 /// Finds the nearest candidate of every point of the block.
 /// @tparam want_place  the candidate's place, else its line
 template <bool want_place>
@@ -310,7 +325,7 @@ SLAMICP_PASS void search_block(const Request& request, Block& block) {
       hwy::CopyBytes<8>(line_of(table, first + found.which), block.line + i);
     }
   }
-  for (std::uint32_t i = block.count; i % lanes != 0; ++i) block.squared[i] = far;
+  close_block(block);
 }
 
 /// Which points of the block have their pair within the gate, and which are to be decided in double.
@@ -348,12 +363,8 @@ template <bool want_place, class Use>
 SLAMICP_PASS std::uint32_t for_each_vector(const Request& request, const Use& use) {
   const D d;
   const Sequence sequence{request.scan, request.stride};
-  const std::uint32_t count = sequence.count();
   std::uint32_t undecided = 0;
-  Block block;
-  for (std::uint32_t begin = 0; begin < count; begin += block_size) {
-    load_block(sequence, begin, block);
-    place_block(request.window, request.place, block);
+  for_each_block(sequence, request.window, request.place, [&](Block& block) {
     search_block<want_place>(request, block);
     M open = hn::FirstN(d, 0);
     for (std::uint32_t k = 0; k < block.count; k += lanes) {
@@ -363,7 +374,7 @@ SLAMICP_PASS std::uint32_t for_each_vector(const Request& request, const Use& us
     }
     if (HWY_UNLIKELY(block.undecided != 0 || request.looks_farther || !hn::AllFalse(d, open)))
       undecided = note_undecided(request, sequence, block, undecided);
-  }
+  });
   return undecided;
 }
 
@@ -519,21 +530,17 @@ SLAMICP_PASS bool is_outlier(const OutlierRequest& request, const CellTable* tab
 }
 
 SLAMICP_PASS std::uint32_t outlier_pass(const OutlierRequest& request) noexcept {
-  const Sequence sequence{request.scan, 1};
   std::uint32_t found = 0;
-  Block block;
-  for (std::uint32_t begin = 0; begin < request.scan.count; begin += block_size) {
-    load_block(sequence, begin, block);
-    place_block(request.window, request.place, block);
+  for_each_block({request.scan, 1}, request.window, request.place, [&](const Block& block) {
     for (std::uint32_t i = 0; i < block.count; ++i) {
       const CellTable* table = request.window.tables[block.tile[i]];
       const std::uint32_t word = table->cells[block.cell[i]];
       if (HWY_LIKELY(((word >> 20U) & 63U) <= request.sure_inside)) continue;
       bool is_unsure;
       if (!(block.px[i] < absent) || !is_outlier(request, table, word, block.place[i], &is_unsure)) continue;
-      request.found[found++] = (begin + i) | (is_unsure ? unsure : 0U);
+      request.found[found++] = (block.begin + i) | (is_unsure ? unsure : 0U);
     }
-  }
+  });
   return found;
 }
 
@@ -555,6 +562,7 @@ SLAMICP_PASS void match_block(const MatchRequest& request, Block& block) {
     const std::int32_t number = line_of(table, first_of(words[i]) + found.which)->number;
     numbers[i] = is_listed ? number : no_match;
   }
+  close_block(block);
   // (d + margin)^2, and what the numbers in the lowest bits can add.
   HWY_ALIGN std::uint32_t bounds[block_size];
   const V margin = hn::Set(d, request.margin);
@@ -580,21 +588,21 @@ SLAMICP_PASS void match_block(const MatchRequest& request, Block& block) {
 }
 
 /// Distances to the matches, with the operations in the order that the scalar code has them: the same bits.
-SLAMICP_PASS void measure_block(const MatchRequest& request, std::uint32_t begin, std::uint32_t count) {
+SLAMICP_PASS void measure_block(const MatchRequest& request, std::size_t begin, std::size_t count) {
   const hn::CappedTag<double, 8> d;
-  constexpr std::uint32_t width = static_cast<std::uint32_t>(hn::MaxLanes(d));
+  constexpr std::size_t width = hn::MaxLanes(d);
   HWY_ALIGN double map_xy[2 * block_size];
   HWY_ALIGN double scan_xy[2 * block_size];
   HWY_ALIGN double squared[block_size], distance[block_size];
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const std::int32_t number = request.numbers[begin + i];
     hwy::CopyBytes<16>(request.map_points + 2 * static_cast<std::ptrdiff_t>(number < 0 ? 0 : number), map_xy + 2 * i);
-    hwy::CopyBytes<16>(request.scan_xy + 2 * static_cast<std::ptrdiff_t>(begin + i), scan_xy + 2 * i);
+    hwy::CopyBytes<16>(request.scan_xy + 2 * (begin + i), scan_xy + 2 * i);
   }
-  for (std::uint32_t i = 2 * count; i < 2 * block_size; ++i) map_xy[i] = scan_xy[i] = 0.0;
+  for (std::size_t i = 2 * count; i < 2 * block_size; ++i) map_xy[i] = scan_xy[i] = 0.0;
   const auto cosine = hn::Set(d, request.cosine);
   const auto sine = hn::Set(d, request.sine);
-  for (std::uint32_t i = 0; i < count; i += width) {
+  for (std::size_t i = 0; i < count; i += width) {
     hn::Vec<hn::CappedTag<double, 8>> x, y, mx, my;
     hn::LoadInterleaved2(d, scan_xy + 2 * i, x, y);
     hn::LoadInterleaved2(d, map_xy + 2 * i, mx, my);
@@ -606,29 +614,24 @@ SLAMICP_PASS void measure_block(const MatchRequest& request, std::uint32_t begin
     hn::Store(square, d, squared + i);
     hn::Store(hn::Sqrt(square), d, distance + i);
   }
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     request.squared_distances[begin + i] = squared[i];
     request.distances[begin + i] = distance[i];
   }
 }
 
 SLAMICP_PASS void match_pass(const MatchRequest& request) noexcept {
-  const Sequence sequence{request.scan, 1};
-  Block block;
-  for (std::uint32_t begin = 0; begin < request.scan.count; begin += block_size) {
-    load_block(sequence, begin, block);
-    place_block(request.window, request.place, block);
-    for (std::uint32_t i = block.count; i < block_size && i % lanes != 0; ++i) block.squared[i] = far;
+  for_each_block({request.scan, 1}, request.window, request.place, [&](Block& block) {
     match_block(request, block);
-    measure_block(request, begin, block.count);
-  }
+    measure_block(request, block.begin, block.count);
+  });
 }
 
 SLAMICP_PASS std::uint32_t to_columns(const double* xy, std::uint32_t count, float* x, float* y, float* farthest,
                                       std::uint32_t* far_ones) noexcept {
   const D d;
   const V too_large = hn::Set(d, 1e4F);
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     x[i] = static_cast<float>(xy[2 * i]);
     y[i] = static_cast<float>(xy[2 * i + 1]);
   }
@@ -648,7 +651,7 @@ SLAMICP_PASS std::uint32_t to_columns(const double* xy, std::uint32_t count, flo
   *farthest = hn::GetLane(hn::MaxOfLanes(d, most));
   *far_ones = 0;
   if (HWY_LIKELY(usable == count)) return count;
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const double nothing = (xy[2 * i] - xy[2 * i]) + (xy[2 * i + 1] - xy[2 * i + 1]);
     if (x[i] != absent || !(nothing == 0.0)) continue;
     x[i] = far_away;  // a number, but too large for a float
