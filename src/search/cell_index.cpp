@@ -224,7 +224,7 @@ double CellIndex::place_unit() const noexcept { return slamicp::place_unit(state
 double CellIndex::distance_unit() const noexcept { return slamicp::distance_unit(state_->grid, state_->cells.reach); }
 
 std::size_t CellIndex::memory() const noexcept {
-  std::size_t bytes = sizeof(State) + size() * sizeof(Point2) + state_->tiles.memory();
+  std::size_t bytes = sizeof(State) + state_->points.memory() + state_->tiles.memory();
   state_->tiles.for_each([&](const Tile& tile) { bytes += tile.memory(); });
   return bytes;
 }

@@ -20,6 +20,9 @@ class PointBuffer {
   std::size_t size() const noexcept { return size_; }
   PointView<2> view() const noexcept { return room_ ? PointView<2>(room_->points.data(), size_) : PointView<2>(); }
 
+  /// Room for points to come included.
+  std::size_t memory() const noexcept { return room_ ? room_->points.capacity() * sizeof(Point2) : 0; }
+
   PointBuffer with_added(PointView<2> added) const {
     PointBuffer grown = *this;
     grown.size_ += added.size();
