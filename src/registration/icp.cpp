@@ -88,11 +88,15 @@ PointClass class_of(bool is_inlier, bool is_outlier) noexcept {
                                  : PointClass::neither;
 }
 
-/// Which share of the scan a step looks at: few points while the pose is far off, all of them at the end.
+/// Which share of the scan a step looks at: few points while the pose is far off, all of them at the end. A cloud may
+/// take turns between two, three or four walls; its every fifth or seventh point still shows them all.
 class Stride {
  public:
   explicit Stride(std::size_t points) noexcept {
-    while (value_ < coarsest && points / (2 * value_) > enough) value_ *= 2;
+    if (points > coarse * enough)
+      value_ = coarse;
+    else if (points > medium * enough)
+      value_ = medium;
   }
 
   std::size_t value() const noexcept { return value_; }
@@ -100,14 +104,15 @@ class Stride {
 
   /// @param moved  how far the last step moved the scan's points [m]
   void refine(double moved) noexcept {
-    if (moved < 0.02 && value_ > 4)
-      value_ = 4;
+    if (moved < 0.02 && value_ > medium)
+      value_ = medium;
     else if (moved < 0.01)
       value_ = 1;
   }
 
  private:
-  static constexpr std::size_t coarsest = 8;
+  static constexpr std::size_t coarse = 7;
+  static constexpr std::size_t medium = 5;
   static constexpr std::size_t enough = 100;  // points, for a step that can be trusted
 
   std::size_t value_ = 1;

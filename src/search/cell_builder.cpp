@@ -108,7 +108,7 @@ void CellBuilder::split(std::size_t level, const Square& square, int column, int
     if (square.to(point) <= bound) near.push_back(point);
   if (near.empty()) return;
   if (cells == 1) {
-    fill(static_cast<std::size_t>(row * tile_cells + column), near, square);
+    fill(static_cast<std::size_t>(row) * tile_cells + static_cast<std::size_t>(column), near, square);
     return;
   }
   const int half = cells / 2;

@@ -78,7 +78,7 @@ class CellBuilder {
   double distance_unit_;
   std::array<Points, 6> levels_;  // points that may matter to the square that split() is at, one list a level
   Points survivors_;
-  std::array<std::uint32_t, tile_cells * tile_cells> words_{};
+  std::array<std::uint32_t, cells_of_a_tile> words_{};
   std::vector<CellPlace> places_;
   std::vector<CellLine> lines_;
 };

@@ -15,7 +15,7 @@ Tile::Tile(TilePlace place, std::vector<int> numbers, PointView<2> points, const
   if (numbers_.empty()) return;
   // Counted into cells, which keeps numbers in order.
   if (!std::is_sorted(numbers_.begin(), numbers_.end())) std::sort(numbers_.begin(), numbers_.end());
-  std::array<std::uint32_t, tile_cells * tile_cells> ends{};
+  std::array<std::uint32_t, cells_of_a_tile> ends{};
   std::vector<std::uint8_t> cells(numbers_.size());
   for (std::size_t j = 0; j < cells.size(); ++j) {
     const Point2& point = points[static_cast<std::size_t>(numbers_[j])];
@@ -47,7 +47,7 @@ Tile::Tile(TilePlace place, std::vector<int> numbers, PointView<2> points, const
 
 std::size_t Tile::memory() const noexcept {
   std::size_t bytes = sizeof *this + numbers_.capacity() * sizeof(int) + starts_.capacity() * sizeof(std::uint32_t);
-  if (const auto* built = lines()) bytes += sizeof *built + built->capacity() * sizeof(Line);
+  if (const auto* built = lines()) bytes += sizeof(std::vector<Line>) + built->capacity() * sizeof(Line);
   if (const CellTable* built = table()) bytes += table_bytes(built->count);
   return bytes;
 }

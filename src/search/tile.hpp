@@ -112,12 +112,13 @@ class Tile {
   /// Keeps what comes first; every builder comes to the same.
   void publish(std::unique_ptr<const std::vector<Line>> lines) const noexcept {
     const std::vector<Line>* none = nullptr;
-    if (lines_.compare_exchange_strong(none, lines.get(), std::memory_order_acq_rel)) lines.release();
+    if (lines_.compare_exchange_strong(none, lines.get(), std::memory_order_acq_rel))
+      static_cast<void>(lines.release());
   }
   bool publish(CellTablePointer table) const noexcept {
     const CellTable* none = nullptr;
     const bool first = table_.compare_exchange_strong(none, table.get(), std::memory_order_acq_rel);
-    if (first) table.release();
+    if (first) static_cast<void>(table.release());
     return first;
   }
 

@@ -81,7 +81,8 @@ class TileDirectory {
 
   /// Which child leads to a place; `below` bits of it are decided further down.
   static std::size_t child(TilePlace at, int below) noexcept {
-    return static_cast<std::size_t>(((at.y >> below) & (side - 1)) * side + ((at.x >> below) & (side - 1)));
+    const auto row = static_cast<std::size_t>((at.y >> below) & (side - 1));
+    return row * side + static_cast<std::size_t>((at.x >> below) & (side - 1));
   }
 
   /// The node, for writing: nobody else sees it.

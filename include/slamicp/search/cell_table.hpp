@@ -8,6 +8,8 @@ namespace slamicp {
 
 /// Cells along a side of a tile.
 inline constexpr int tile_cells = 16;
+/// Cells of a tile.
+inline constexpr std::size_t cells_of_a_tile = std::size_t{tile_cells} * tile_cells;
 
 /// A place, from the centre of its tile, in CellIndex::place_unit(): good enough to tell which point is nearest, but
 /// for two as near as about 0.05 mm to each other in distance.
@@ -30,7 +32,7 @@ inline constexpr float line_scale = 32767.0F;
 struct CellTable {
   /// A cell in one word: bits 0-5 how many candidates, 6-19 the first, 20-25 and 26-31 a bound from above and from
   /// below on the distance from any place of the cell to the nearest point, in CellIndex::distance_unit().
-  std::uint32_t cells[tile_cells * tile_cells];
+  std::uint32_t cells[cells_of_a_tile];
   std::uint32_t count;  ///< of all candidates
   std::uint32_t unused[3];
 

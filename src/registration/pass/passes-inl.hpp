@@ -599,7 +599,7 @@ SLAMICP_PASS void measure_block(const MatchRequest& request, std::size_t begin, 
     hwy::CopyBytes<16>(request.map_points + 2 * static_cast<std::ptrdiff_t>(number < 0 ? 0 : number), map_xy + 2 * i);
     hwy::CopyBytes<16>(request.scan_xy + 2 * (begin + i), scan_xy + 2 * i);
   }
-  for (std::size_t i = 2 * count; i < 2 * block_size; ++i) map_xy[i] = scan_xy[i] = 0.0;
+  for (std::size_t i = 2 * count; i < std::size_t{2} * block_size; ++i) map_xy[i] = scan_xy[i] = 0.0;
   const auto cosine = hn::Set(d, request.cosine);
   const auto sine = hn::Set(d, request.sine);
   for (std::size_t i = 0; i < count; i += width) {
