@@ -2,6 +2,7 @@
 // slamicp evaluate: how wrong a trajectory is.
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <slamicp/evaluation/relation_error.hpp>
 #include <slamicp/evaluation/trajectory_error.hpp>
@@ -17,6 +18,7 @@ namespace {
 
 struct Words {
   std::string trajectory, truth, relations, json, align = "none";
+  double distance = 1.0;
 };
 
 Json to_json(const TrajectoryError& error) {
@@ -29,6 +31,14 @@ Json to_json(const RelationErrorStatistics& errors) {
           {"rotation_deg", command::to_json(errors.rotation_deg)}};
 }
 
+/// Errors of the motion over each stretch of the path; nothing where the path is shorter.
+std::optional<TrajectoryError> over_stretches(const Words& words, const Trajectory& estimate, const Trajectory& truth) {
+  double length = 0.0;
+  for (std::size_t k = 1; k < truth.size(); ++k) length += distance(truth[k - 1].pose, truth[k].pose).translation;
+  if (length < words.distance) return std::nullopt;
+  return relative_error(estimate, truth, words.distance);
+}
+
 void against_truth(const Words& words) {
   static const std::map<std::string, Alignment> alignments{
       {"none", Alignment::none}, {"first", Alignment::first}, {"se2", Alignment::se2}};
@@ -37,12 +47,29 @@ void against_truth(const Words& words) {
   const Trajectory estimate = load_trajectory(words.trajectory);
   const Trajectory truth = load_trajectory(words.truth);
   const TrajectoryError absolute = absolute_error(estimate, truth, options);
-  write_json(words.json, {{"verb", "evaluate"},
-                          {"trajectory", words.trajectory},
-                          {"truth", words.truth},
-                          {"align", words.align},
-                          {"absolute", to_json(absolute)}});
-  Talk{words.json}("absolute error, aligned " + words.align + ": " + absolute.brief());
+  const std::optional<TrajectoryError> relative = over_stretches(words, estimate, truth);
+  Json summary{{"verb", "evaluate"},
+               {"trajectory", words.trajectory},
+               {"truth", words.truth},
+               {"align", words.align},
+               {"T_truth_estimate", command::to_json(absolute.T_truth_estimate)},
+               {"absolute", to_json(absolute)}};
+  if (relative) {
+    summary["relative"] = to_json(*relative);
+    summary["relative"]["distance"] = words.distance;
+    summary["relative"]["translation_per_metre"] = relative->translation.mean / words.distance;
+    summary["relative"]["rotation_per_metre"] = relative->rotation.mean / words.distance;
+  }
+  write_json(words.json, summary);
+  const Talk talk(words.json);
+  talk("absolute error, aligned " + words.align + ": " + absolute.brief());
+  if (relative)
+    talk(format("relative error over %g m (%.2f %%, %.3f deg/m): ", words.distance,
+                100.0 * relative->translation.mean / words.distance,
+                relative->rotation.mean * 57.29577951308232 / words.distance) +
+         relative->brief());
+  else
+    talk(format("no relative error: the true path is shorter than %g m", words.distance));
 }
 
 void against_relations(const Words& words) {
@@ -69,6 +96,10 @@ void add_evaluate(CLI::App& program) {
                    "move the trajectory onto the truth first: none, first pose, best fit (se2)")
       ->capture_default_str()
       ->check(CLI::IsMember({"none", "first", "se2"}))
+      ->needs(truth);
+  verb->add_option("--relative-distance", words->distance, "stretches of the path whose relative error is told [m]")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber)
       ->needs(truth);
   CLI::Option* relations = verb->add_option("--relations", words->relations,
                                             "true relative poses: the SLAM benchmark's score (Kuemmerle 2009)")

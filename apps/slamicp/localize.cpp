@@ -8,6 +8,7 @@
 #include <slamicp/io/map_file.hpp>
 #include <slamicp/io/trajectory_file.hpp>
 #include <slamicp/localization/localizer.hpp>
+#include <slamicp/localization/odometry_calibrator.hpp>
 #include <slamicp/obstacles/find_obstacles.hpp>
 
 #include "output.hpp"
@@ -24,6 +25,8 @@ struct Words {
   std::optional<double> outlier_distance;
   ScanLogOptions reading;
   MatchOptions match;
+  MotionOptions motion;
+  bool calibrate_odometry = false;
 };
 
 LocalizerOptions localizer_options(const Words& words) {
@@ -33,6 +36,8 @@ LocalizerOptions localizer_options(const Words& words) {
   options.outlier_distance = words.outlier_distance;
   options.max_iterations = words.match.max_iterations;
   options.ranges = words.match.ranges;
+  options.use_odometry = words.motion.use_odometry;
+  options.deskew = words.motion.deskew;
   options.outputs.matches = !words.outliers.empty();  // they carry the distances
   return options;
 }
@@ -126,6 +131,27 @@ Json summary(const Words& words, const RunRecord& record) {
       {"last_pose", to_json(record.trajectory.back().pose)}};
 }
 
+Json to_json(const OdometryCalibration<OdometryScale>& found) {
+  if (!found.determined) return {{"determined", false}};
+  const auto value = [&](double is, std::size_t k) { return Json{{"value", is}, {"sigma", found.sigmas[k]}}; };
+  return {{"determined", true},
+          {"translation", value(found.model.translation, 0)},
+          {"rotation", value(found.model.rotation, 1)},
+          {"drift_per_metre", value(found.model.drift_per_metre, 2)},
+          {"rms_before", found.rms_before},
+          {"rms_after", found.rms_after}};
+}
+
+/// What is wrong with the wheels all the time, in a line.
+std::string told(const OdometryCalibration<OdometryScale>& found) {
+  if (!found.determined) return "odometry: the run does not tell what to calibrate; drive and turn to both sides";
+  return format(
+      "odometry: metres x %.4f (+- %.4f), turns x %.4f (+- %.4f), veers %.4f rad/m (+- %.4f); a metre or a "
+      "radian on it is %.0f mm off, then %.0f mm",
+      found.model.translation, found.sigmas[0], found.model.rotation, found.sigmas[1], found.model.drift_per_metre,
+      found.sigmas[2], 1e3 * found.rms_before, 1e3 * found.rms_after);
+}
+
 void run(const Words& words) {
   const ScanLog log = open_scan_log(words.log, words.reading);
   warn(log.warnings);
@@ -136,6 +162,7 @@ void run(const Words& words) {
   if (!words.initial_pose) warn("no --initial-pose: starting at the map's origin, 0,0,0, where 'slamicp map' starts");
 
   Tables tables(words);
+  OdometryCalibrator wheels;
   RunRecord record;
   record.log = words.log;
   record.map_file = words.map;
@@ -149,6 +176,7 @@ void run(const Words& words) {
       const double time_us = watch.microseconds();
       tables.add(number, fix, log[number], time_us);
       record.add(fix, time_us);
+      wheels.add(log[number], fix);
       if (!words.update_map.empty() && fix.usable()) localizer.set_map(update_with_outliers<2>(fix.map, fix.match));
       progress.step();
     }
@@ -159,9 +187,15 @@ void run(const Words& words) {
   if (!words.trajectory.empty()) save_trajectory(words.trajectory, record.trajectory);
   if (!words.update_map.empty()) save_map(words.update_map, *localizer.map());
   if (!words.report.empty()) write_report(words.report, record);
-  write_json(words.json, summary(words, record));
+  Json results = summary(words, record);
   const Talk talk(words.json);
   talk(record.brief());
+  if (words.calibrate_odometry) {
+    const OdometryCalibration<OdometryScale> found = wheels.calibration();
+    results["odometry_calibration"] = to_json(found);
+    talk(told(found));
+  }
+  write_json(words.json, results);
 }
 
 }  // namespace
@@ -169,7 +203,7 @@ void run(const Words& words) {
 void add_localize(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("localize", "localize every scan of a log in a given map");
   const auto words = std::make_shared<Words>();
-  verb->add_option("LOG", words->log, "laser log: .clf .log (CARMEN), .csv (ranges)")->required();
+  verb->add_option("LOG", words->log, std::string("laser log: ") + log_words)->required();
   verb->add_option("--map", words->map, "the map: .csv .xyz .pcd .ply")->required();
   add_pose(*verb, "--initial-pose", words->initial_pose, "where the robot starts in the map; default 0,0,0");
   verb->add_option("--trajectory", words->trajectory, "poses T_map_robot, a line a scan")->type_name("TUM");
@@ -179,6 +213,9 @@ void add_localize(CLI::App& program) {
   verb->add_option("--update-map", words->update_map, "the map with the outliers of usable scans added, step by step")
       ->type_name("MAP_OUT");
   verb->add_option("--report", words->report, "pictures, figures and charts in one page")->type_name("HTML");
+  verb->add_flag("--calibrate-odometry", words->calibrate_odometry,
+                 "tell what the log's odometry gets wrong all the time: its scales, and how it veers");
+  add_motion_options(*verb, words->motion);
   add_match_options(*verb, words->match, 0.3);
   verb->add_option("--outlier-distance", words->outlier_distance,
                    "points at least this far from every map point are outliers: the paper's O_t [m]; default: "

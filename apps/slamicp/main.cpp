@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
   slamicp::command::add_map(program);
   slamicp::command::add_localize(program);
   slamicp::command::add_align(program);
+  slamicp::command::add_odometry(program);
   slamicp::command::add_evaluate(program);
   add_help(program);
   try {

@@ -19,6 +19,7 @@ struct Words {
   std::string log, out, trajectory, picture, json;
   ScanLogOptions reading;
   MatchOptions match;
+  MotionOptions motion;
   MapperOptions mapper;
   bool all_points = false;
   bool raw = false;
@@ -30,6 +31,8 @@ MapperOptions mapper_options(const Words& words) {
   options.max_correspondence_distance = words.match.max_correspondence_distance;
   options.max_iterations = words.match.max_iterations;
   options.ranges = words.match.ranges;
+  options.use_odometry = words.motion.use_odometry;
+  options.deskew = words.motion.deskew;
   options.surfaces.threads = words.match.threads;
   options.update = words.all_points ? MapUpdate::all_points : MapUpdate::outliers;
   return options;
@@ -82,10 +85,11 @@ void run(const Words& words) {
 void add_map(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("map", "SLAM by scan matching: a map from a log");
   const auto words = std::make_shared<Words>();
-  verb->add_option("LOG", words->log, "laser log: .clf .log (CARMEN), .csv (ranges)")->required();
+  verb->add_option("LOG", words->log, std::string("laser log: ") + log_words)->required();
   verb->add_option("--out", words->out, "the map: .csv .xyz .pcd .ply")->required()->type_name("MAP");
   verb->add_option("--trajectory", words->trajectory, "poses T_map_robot, a line a scan")->type_name("TUM");
   verb->add_option("--picture", words->picture, "map and path")->type_name("FILE.svg|.png");
+  add_motion_options(*verb, words->motion);
   add_match_options(*verb, words->match, words->mapper.max_correspondence_distance);
   words->match.max_iterations = words->mapper.max_iterations;
   verb->get_option("--max-iterations")->capture_default_str();

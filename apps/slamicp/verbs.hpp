@@ -13,6 +13,7 @@ void add_simulate(CLI::App& program);
 void add_map(CLI::App& program);
 void add_localize(CLI::App& program);
 void add_align(CLI::App& program);
+void add_odometry(CLI::App& program);
 void add_evaluate(CLI::App& program);
 
 }  // namespace slamicp::command

@@ -45,12 +45,31 @@ CLI::Option* add_pose(CLI::App& verb, const std::string& name, std::optional<Pos
 void add_log_options(CLI::App& verb, ScanLogOptions& log) {
   add_pose(verb, "--laser-offset", log.laser_offset,
            "where the laser sits on the robot [m, m, rad]; default: as the log says");
+  verb.add_option("--scan-topic", log.scan_topics,
+                  "which topic of a ROS log holds scans; once more for each further laser; default: the only one, or "
+                  "the one named scan")
+      ->type_name("TOPIC")
+      ->allow_extra_args(false);
+  verb.add_option("--odometry-topic", log.odometry_topic,
+                  "which topic of a ROS log holds odometry; default: the only one, or the one named odom, else tf")
+      ->type_name("TOPIC");
+  verb.add_option(
+          "--base-frame", log.base_frame,
+          "the frame of a ROS log that is the robot; default: the odometry's, else base_footprint, base_link or "
+          "base")
+      ->type_name("FRAME");
   verb.add_option("--fov-deg", log.fov_deg, "field of view of a ranges CSV, first beam to last [deg]")
       ->capture_default_str()
       ->check(CLI::Range(1e-3, 360.0));
   verb.add_option("--scan-rate-hz", log.scan_rate_hz, "scans a second of a ranges CSV, which has no stamps [Hz]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+}
+
+void add_motion_options(CLI::App& verb, MotionOptions& options) {
+  verb.add_flag("!--no-odometry", options.use_odometry, "predict by the last fixes, not by the log's odometry");
+  verb.add_flag("!--no-deskew", options.deskew,
+                "take each scan as if measured all at once, though the log says it was not");
 }
 
 void add_method(CLI::App& verb, Method& method) {
@@ -116,10 +135,14 @@ void read_config(CLI::App& verb) {
     CLI::Option* option = verb.get_option_no_throw("--" + name);
     if (option == nullptr || name == "config" || name == "help")
       throw Error("there is no option '" + name + "'", where, "slamicp help " + verb.get_name() + " lists them");
-    if (!entry.second.IsScalar()) throw Error("'" + name + "' has no single value", where, "write 'name: value'");
+    const bool is_list = entry.second.IsSequence() && option->get_items_expected_max() > 1;
+    if (!entry.second.IsScalar() && !is_list)
+      throw Error("'" + name + "' has no single value", where, "write 'name: value'");
     if (option->count() > 0) continue;
     try {
-      option->add_result(entry.second.as<std::string>());
+      if (!is_list) option->add_result(entry.second.as<std::string>());
+      for (std::size_t item = 0; is_list && item < entry.second.size(); ++item)
+        option->add_result(entry.second[item].as<std::string>());
       option->run_callback();
     } catch (const CLI::Error& problem) {
       throw Error(problem.what(), where, "slamicp help " + verb.get_name() + " says what it takes");

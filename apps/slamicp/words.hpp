@@ -18,7 +18,13 @@ void add_example(CLI::App& verb, const std::string& example);
 /// `--name X,Y,THETA`: metres and radians.
 CLI::Option* add_pose(CLI::App& verb, const std::string& name, std::optional<Pose2>& pose, const std::string& meaning);
 
-/// How to read a log: `--laser-offset`, and for ranges CSV `--fov-deg` and `--scan-rate-hz`.
+/// The files that a verb takes as a log.
+inline constexpr const char* log_words =
+    ".clf .log (CARMEN), .csv (ranges), both also packed (.gz .xz .zst .bz2); .bag, .db3, .mcap, a rosbag2 folder "
+    "(ROS)";
+
+/// How to read a log: `--laser-offset`; for ROS `--scan-topic`, `--odometry-topic` and `--base-frame`; for ranges CSV
+/// `--fov-deg` and `--scan-rate-hz`.
 void add_log_options(CLI::App& verb, ScanLogOptions& log);
 
 /// The options that `map` and `localize` share.
@@ -32,6 +38,13 @@ struct MatchOptions {
 };
 /// @param distance  the verb's default for --max-correspondence-distance [m]
 void add_match_options(CLI::App& verb, MatchOptions& options, double distance);
+
+/// How the motion between scans, and during one, is told.
+struct MotionOptions {
+  bool use_odometry = true;
+  bool deskew = true;
+};
+void add_motion_options(CLI::App& verb, MotionOptions& options);
 
 /// `--method`, with the names that fit the verb.
 void add_method(CLI::App& verb, Method& method);

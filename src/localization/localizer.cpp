@@ -5,6 +5,8 @@
 #include <slamicp/localization/localizer.hpp>
 #include <slamicp/registration/icp.hpp>
 
+#include "localization/prediction.hpp"
+
 namespace slamicp {
 
 IcpOptions LocalizerOptions::icp() const noexcept {
@@ -28,82 +30,108 @@ std::string LocalizerOptions::problem() const {
 
 namespace {
 
-/// Where the robot has got to since its last pose.
-class Prediction {
- public:
-  void forget() noexcept { has_last_ = has_velocity_ = false; }
-
-  Pose2 motion_until(const LaserScan& scan) const noexcept {
-    if (!has_last_) return {};
-    if (last_odometry_ && odometry_of(scan)) return last_odometry_->inverse() * *scan.T_odom_robot;
-    return has_velocity_ ? interpolate(velocity_, share_of_last_interval(scan.stamp)) : Pose2{};
-  }
-
-  void remember(const LaserScan& scan, const Pose2& pose) noexcept {
-    if (has_last_) {
-      velocity_ = last_pose_.inverse() * pose;
-      interval_ = scan.stamp - last_stamp_;
-    }
-    has_velocity_ = has_last_;
-    has_last_ = true;
-    last_pose_ = pose;
-    last_stamp_ = scan.stamp;
-    last_odometry_ = odometry_of(scan) ? scan.T_odom_robot : std::nullopt;
-  }
-
- private:
-  static bool odometry_of(const LaserScan& scan) noexcept {
-    return scan.T_odom_robot && scan.T_odom_robot->is_finite();
-  }
-
-  // How the time since the last scan compares to the interval before it. Stamps that stand still or run backwards
-  // (the Intel log's do) tell nothing: then scans count as evenly spaced. A long gap is no reason to fly far.
-  double share_of_last_interval(double stamp) const noexcept {
-    const double now = stamp - last_stamp_;
-    if (!(now > 0.0) || !(interval_ > 0.0)) return 1.0;
-    return std::min(now / interval_, 3.0);
-  }
-
-  bool has_last_ = false;
-  bool has_velocity_ = false;
-  Pose2 last_pose_;
-  double last_stamp_ = 0.0;
-  std::optional<Pose2> last_odometry_;
-  Pose2 velocity_;  // motion from the last pose but one to the last
-  double interval_ = 0.0;
-};
+/// From the first scan's stamp to half way through what the lasers sweep, on average [s].
+double half_of(std::span<const LaserScan> scans) noexcept {
+  double sum = 0.0;
+  for (const LaserScan& scan : scans) sum += scan.stamp - scans.front().stamp + 0.5 * sweep_time(scan);
+  return sum / static_cast<double>(scans.size());
+}
 
 }  // namespace
 
 struct Localizer::State {
-  explicit State(const LocalizerOptions& chosen) : options(chosen), icp(chosen.icp()) {}
+  explicit State(const LocalizerOptions& chosen)
+      : options(chosen), icp(chosen.icp()), prediction(chosen.use_odometry) {}
 
   LocalizerOptions options;
   Icp<2> icp;
   Prediction prediction;
   PointMap2::Pointer map;  // null until the first scan in scan-to-scan mode
   bool scan_to_scan = false;
+  std::vector<ScanProjector> projectors;  // one for each of the scans that are joined
   Fix fix;
 
-  void match(const LaserScan& scan);
+  void match(std::span<const LaserScan> scans);
+  void project(std::span<const LaserScan> scans, const Velocity& velocity);
+  SweepMotion sweep_of(const LaserScan& scan, const LaserScan& first, const Velocity& velocity) const noexcept;
+  bool worth_another_look(std::span<const LaserScan> scans, const Velocity& before, const Velocity& now) const noexcept;
   void align_to_map(const Pose2& guess);
   void take_scan_as_map();
 };
 
-void Localizer::State::match(const LaserScan& scan) {
-  fix.stamp = scan.stamp;
-  to_points(scan, options.ranges, fix.scan);
-  icp.reserve(scan.ranges.size());
-  const Pose2 predicted = fix.pose * prediction.motion_until(scan);
+void Localizer::State::match(std::span<const LaserScan> scans) {
+  const LaserScan& first = scans.front();
+  fix.stamp = first.stamp;
+  const Pose2 motion = prediction.motion_until(first);
+  const Pose2 predicted = fix.pose * motion;
   fix.predicted = predicted.is_finite() ? predicted : fix.pose;  // odometry may tell tales
+  Velocity velocity = prediction.velocity_at(first, motion);
+  const double half = half_of(scans);
+  project(scans, velocity);
   if (map) {
     fix.map = map;
     align_to_map(fix.predicted);
+    if (fix.usable()) {
+      const Pose2 middle = fix.match.pose * velocity.over(half);
+      const Velocity measured = prediction.velocity_at(first, prediction.motion_to(middle));
+      if (worth_another_look(scans, velocity, measured)) {
+        velocity = measured;
+        project(scans, velocity);
+        align_to_map(middle * velocity.over(-half));
+      }
+    }
     fix.pose =
         fix.match.stop == Stop::too_few_points || fix.match.stop == Stop::no_overlap ? fix.predicted : fix.match.pose;
   }
-  prediction.remember(scan, fix.pose);
+  prediction.remember(first, fix.pose * velocity.over(half));
   if (scan_to_scan) take_scan_as_map();
+}
+
+/// The points of all scans, where they are as seen from the robot at the first one's stamp.
+void Localizer::State::project(std::span<const LaserScan> scans, const Velocity& velocity) {
+  if (projectors.size() < scans.size()) projectors.resize(scans.size());
+  fix.scan.in_robot.clear();
+  fix.scan.beams.clear();
+  fix.scan.scans.clear();
+  std::size_t most = 0;
+  for (const LaserScan& scan : scans) most += scan.ranges.size();
+  fix.scan.in_robot.reserve(most);
+  fix.scan.beams.reserve(most);
+  icp.reserve(most);
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    projectors[k].append(scans[k], options.ranges, sweep_of(scans[k], scans.front(), velocity), fix.scan);
+    if (scans.size() > 1) fix.scan.scans.resize(fix.scan.in_robot.size(), static_cast<int>(k));
+  }
+}
+
+SweepMotion Localizer::State::sweep_of(const LaserScan& scan, const LaserScan& first,
+                                       const Velocity& velocity) const noexcept {
+  SweepMotion motion;
+  if (&scan != &first) {
+    const bool by_wheels = prediction.has_odometry(scan) && prediction.has_odometry(first);
+    motion.T_start_first =
+        by_wheels ? first.T_odom_robot->inverse() * *scan.T_odom_robot : velocity.over(scan.stamp - first.stamp);
+  }
+  if (!options.deskew || scan.time_increment == 0.0) return motion;
+  motion.T_first_last =
+      scan.sweep_motion && scan.sweep_motion->is_finite() ? *scan.sweep_motion : velocity.over(sweep_time(scan));
+  return motion;
+}
+
+/// Whether points would move by more than a millimetre, ten metres away, now that the match has told how fast the robot
+/// really goes. Wheels are believed.
+bool Localizer::State::worth_another_look(std::span<const LaserScan> scans, const Velocity& before,
+                                          const Velocity& now) const noexcept {
+  constexpr double most = 1e-3;
+  constexpr double reach = 10.0;
+  if (prediction.has_odometry(scans.front())) return false;
+  for (const LaserScan& scan : scans) {
+    const SweepMotion was = sweep_of(scan, scans.front(), before);
+    const SweepMotion is = sweep_of(scan, scans.front(), now);
+    const PoseDistance moved = distance(was.T_start_first * was.T_first_last, is.T_start_first * is.T_first_last);
+    if (moved.translation + reach * moved.rotation > most) return true;
+  }
+  return false;
 }
 
 void Localizer::State::align_to_map(const Pose2& guess) {
@@ -165,8 +193,10 @@ void Localizer::set_map(PointMap2::Pointer map) {
 
 const PointMap2::Pointer& Localizer::map() const noexcept { return state_->map; }
 
-const Fix& Localizer::update(const LaserScan& scan) noexcept {
-  state_->match(scan);
+const Fix& Localizer::update(const LaserScan& scan) noexcept { return update({&scan, 1}); }
+
+const Fix& Localizer::update(std::span<const LaserScan> scans) noexcept {
+  if (!scans.empty()) state_->match(scans);
   return state_->fix;
 }
 

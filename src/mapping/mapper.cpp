@@ -19,6 +19,8 @@ LocalizerOptions localizer_options(const MapperOptions& options) {
   localizer.final_gate = std::min(options.final_gate, options.max_correspondence_distance);
   localizer.guess_share = options.guess_share;
   localizer.ranges = options.ranges;
+  localizer.use_odometry = options.use_odometry;
+  localizer.deskew = options.deskew;
   localizer.outputs = {.mean_inlier_distance = true,
                        .outliers_in_map = true,
                        .transformed_scan = options.update == MapUpdate::all_points,
@@ -42,6 +44,7 @@ std::string MapperOptions::problem() const {
   if (!(final_gate > 0.0)) return "final_gate must be a length above 0 m; 0.15 m is the default";
   if (!(ranges.max_range > ranges.min_range) || !(ranges.min_range >= 0.0))
     return "ranges must have 0 <= min_range < max_range";
+  if (!(forget_distance >= 0.0)) return "forget_distance must be a length above 0 m, or 0 to forget nothing";
   if (!initial_pose.is_finite()) return "initial_pose must be finite";
   IcpOptions icp;
   icp.max_correspondence_distance = max_correspondence_distance;
@@ -62,7 +65,7 @@ Mapper::Mapper(Mapper&&) noexcept = default;
 Mapper& Mapper::operator=(Mapper&&) noexcept = default;
 
 PointMap2::Pointer Mapper::refined_map() const {
-  if (!map() || options_.update == MapUpdate::all_points) return map();
+  if (!map() || options_.update == MapUpdate::all_points || options_.forget_distance > 0.0) return map();
   return PointMap2::create(refinement_->refined(*map()), options_.surfaces);
 }
 
@@ -96,9 +99,32 @@ void Mapper::grow(const Fix& fix) {
   } else if (options_.update == MapUpdate::all_points) {
     localizer_.set_map(update_with_all_points<2>(map(), fix.match));
   } else {
-    refinement_->count(fix);
+    if (!(options_.forget_distance > 0.0)) refinement_->count(fix);
     localizer_.set_map(update_with_outliers<2>(map(), fix.match));
   }
+  if (options_.forget_distance > 0.0) forget_far_points();
+}
+
+/// In one go, once they are a tenth of all. Removed points keep their numbers: where most are gone the rest starts
+/// anew.
+void Mapper::forget_far_points() {
+  const Point2 here = localizer_.fix().pose.translation();
+  const double farthest2 = options_.forget_distance * options_.forget_distance;
+  std::vector<int> far;
+  PointCloud2 near;
+  const PointView<2> points = map()->points();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!is_finite<2>(points[k])) continue;
+    if ((points[k] - here).squaredNorm() > farthest2)
+      far.push_back(static_cast<int>(k));
+    else
+      near.push_back(points[k]);
+  }
+  if (10 * far.size() <= points.size() || near.empty()) return;
+  if (2 * near.size() > points.size())
+    localizer_.set_map(map()->with_removed(far));
+  else
+    localizer_.set_map(PointMap2::create(std::move(near), options_.surfaces));
 }
 
 }  // namespace slamicp

@@ -63,6 +63,9 @@ std::vector<Obstacle> find_obstacles(const Fix& fix, const LaserScan& scan, cons
       obstacles.push_back(make_obstacle(fix, laser, group));
     group.clear();
   };
+  const auto of_one_scan = [&](std::size_t a, std::size_t b) {
+    return fix.scan.scans.empty() || fix.scan.scans[a] == fix.scan.scans[b];
+  };
   for (const int i : fix.outliers()) {
     if (!group.empty()) {
       const auto here = static_cast<std::size_t>(i);
@@ -70,7 +73,7 @@ std::vector<Obstacle> find_obstacles(const Fix& fix, const LaserScan& scan, cons
       const double turn = std::abs(scan.angle_increment) * (fix.scan.beams[here] - fix.scan.beams[before]);
       const Point2& last = fix.scan.in_robot[before];
       const double gap = (fix.scan.in_robot[here] - last).norm();
-      if (gap > widest_gap((last - laser).norm(), turn, options)) close_group();
+      if (!of_one_scan(here, before) || gap > widest_gap((last - laser).norm(), turn, options)) close_group();
     }
     group.push_back(i);
   }

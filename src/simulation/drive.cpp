@@ -21,6 +21,7 @@ SimulatedRun simulate_drive(const World& world, std::span<const Point2> waypoint
   const Random random(options.seed);
   Random lidar_random = random.stream(1);
   Random wheel_random = random.stream(2);
+  Random sweep_random = random.stream(3);
 
   const auto count = static_cast<std::size_t>(std::floor(path.length() / options.speed * options.lidar.rate)) + 1;
   SimulatedRun run;
@@ -34,9 +35,12 @@ SimulatedRun simulate_drive(const World& world, std::span<const Point2> waypoint
       const Pose2 T_before_after = run.truth.back().pose.inverse() * T_map_robot;
       T_odom_robot = T_odom_robot * measured_motion(T_before_after, options.odometry, wheel_random);
     }
-    LaserScan sweep = scan(world, T_map_robot, options.lidar, lidar_random);
+    const Pose2 sweep_motion = T_map_robot.inverse() * path.at((stamp + options.lidar.sweep_time) * options.speed);
+    LaserScan sweep = scan(world, T_map_robot, sweep_motion, options.lidar, lidar_random);
     sweep.stamp = stamp;
     sweep.T_odom_robot = T_odom_robot;
+    if (options.lidar.sweep_time > 0.0)
+      sweep.sweep_motion = measured_motion(sweep_motion, options.odometry, sweep_random);
     run.scans.push_back(std::move(sweep));
     run.truth.push_back({stamp, T_map_robot});
   }

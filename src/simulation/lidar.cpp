@@ -15,47 +15,81 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double cross(const Point2& a, const Point2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
 
-// The beams of one sweep, and the nearest thing each has met so far. All in the laser's frame.
+/// The directions that a thing spans, counter-clockwise from `lower` [rad].
+struct Span {
+  double lower = 0.0;
+  double width = turn;
+};
+
+/// Both, the second one about where the first is.
+Span joined(const Span& a, const Span& b) noexcept {
+  const double offset = std::remainder(b.lower - a.lower, turn);
+  const double lower = std::min(0.0, offset);
+  return {a.lower + lower, std::max(a.width, offset + b.width) - lower};
+}
+
+// The beams of one sweep, and the nearest thing each has met so far. All in the laser's frame at the first beam.
 class Fan {
  public:
-  Fan(const LidarModel& lidar, std::vector<double>& ranges)
+  /// @param T_first_last  how the laser moves from the first beam to the last
+  Fan(const LidarModel& lidar, const Pose2& T_first_last, std::vector<double>& ranges)
       : angle_min_(lidar.angle_min), angle_increment_(lidar.angle_increment), ranges_(ranges) {
     const auto beams = static_cast<std::size_t>(lidar.beams);
     ranges_.assign(beams, infinity);
     directions_.resize(beams);
+    origins_.assign(beams, Point2::Zero());
+    const double last = std::max(1.0, static_cast<double>(beams) - 1.0);
+    const Pose2::Tangent twist = T_first_last.log() / last;
+    is_moving_ = !twist.isZero(0.0);
+    angle_increment_ += twist[2];
     for (std::size_t i = 0; i < beams; ++i) {
       const double angle = angle_min_ + static_cast<double>(i) * angle_increment_;
       directions_[i] = {std::cos(angle), std::sin(angle)};
+      if (is_moving_) origins_[i] = Pose2::exp(static_cast<double>(i) * twist).translation();
     }
+    farthest_ = T_first_last.translation().norm();
   }
 
   void meet(const Segment& wall) noexcept {
     const Point2 along = wall.b - wall.a;
-    const double offset = cross(wall.a, along);
-    if (offset == 0.0) return;  // seen edge on: no width, and its neighbours bound it
-    const double angle_a = std::atan2(wall.a.y(), wall.a.x());
-    const double sweep = std::atan2(cross(wall.a, wall.b), wall.a.dot(wall.b));
-    for_beams(std::min(angle_a, angle_a + sweep), std::abs(sweep), [&](const Point2& direction, double& range) {
+    const auto span_from = [&](const Point2& origin) -> Span {
+      const Point2 a = wall.a - origin;
+      const Point2 b = wall.b - origin;
+      const double angle_a = std::atan2(a.y(), a.x());
+      const double sweep = std::atan2(cross(a, b), a.dot(b));
+      return {std::min(angle_a, angle_a + sweep), std::abs(sweep)};
+    };
+    const Span span = is_moving_ ? seen_on_the_way(span_from, distance(wall, origins_.front())) : span_from({0.0, 0.0});
+    for_beams(span, [&](const Point2& origin, const Point2& direction, double& range) {
+      const Point2 a = wall.a - origin;
+      const double offset = cross(a, along);
+      if (offset == 0.0) return;  // seen edge on: no width, and its neighbours bound it
       const double slope = cross(direction, along);
       const double distance = offset / slope;
       if (!(distance >= 0.0 && distance < range)) return;
       // The beams were chosen by angle, with some slack: the ends decide. Walls that share a corner leave no gap.
-      const double share = cross(wall.a, direction) / slope;
+      const double share = cross(a, direction) / slope;
       if (share >= -slack && share <= 1.0 + slack) range = distance;
     });
   }
 
   void meet(const Point2& centre, double radius) noexcept {
-    const double squared_distance = centre.squaredNorm();
-    const bool inside = squared_distance <= radius * radius;
-    const double half_width = inside ? turn / 2.0 : std::asin(radius / std::sqrt(squared_distance));
-    const double middle = std::atan2(centre.y(), centre.x());
-    for_beams(middle - half_width, 2.0 * half_width, [&](const Point2& direction, double& range) {
-      const double miss = cross(direction, centre);
+    const auto span_from = [&](const Point2& origin) -> Span {
+      const Point2 to = centre - origin;
+      const double squared_distance = to.squaredNorm();
+      const bool inside = squared_distance <= radius * radius;
+      const double half_width = inside ? turn / 2.0 : std::asin(radius / std::sqrt(squared_distance));
+      return {std::atan2(to.y(), to.x()) - half_width, 2.0 * half_width};
+    };
+    const Span span = is_moving_ ? seen_on_the_way(span_from, centre.norm() - radius) : span_from({0.0, 0.0});
+    for_beams(span, [&](const Point2& origin, const Point2& direction, double& range) {
+      const Point2 to = centre - origin;
+      const double miss = cross(direction, to);
       const double squared_half_chord = radius * radius - miss * miss;
       if (squared_half_chord < 0.0) return;
       const double half_chord = std::sqrt(squared_half_chord);
-      const double distance = direction.dot(centre) + (inside ? half_chord : -half_chord);
+      const bool inside = to.squaredNorm() <= radius * radius;
+      const double distance = direction.dot(to) + (inside ? half_chord : -half_chord);
       if (distance >= 0.0 && distance < range) range = distance;
     });
   }
@@ -63,27 +97,42 @@ class Fan {
  private:
   static constexpr double slack = 1e-9;
 
-  // Calls visit for the beams from angle `lower` on, `width` wide: at most a turn, which the seam may cut in two.
+  /// What a thing spans as the laser goes by.
+  /// @param distance  from the laser at the first beam [m]; negative inside
+  template <typename SpanFrom>
+  Span seen_on_the_way(const SpanFrom& span_from, double distance) const noexcept {
+    if (distance < 4.0 * farthest_) return {};
+    Span span = span_from(origins_.front());
+    span = joined(span, span_from(origins_[origins_.size() / 2]));
+    span = joined(span, span_from(origins_.back()));
+    constexpr double between = 0.02;  // what three looks may miss [rad]
+    return {span.lower - between, span.width + 2.0 * between};
+  }
+
+  // Calls visit for the beams within the span, which the seam of the turn may cut in two.
   template <typename Visit>
-  void for_beams(double lower, double width, const Visit& visit) noexcept {
-    const double lower_beam = positive_remainder(lower - angle_min_) / angle_increment_;
-    const double width_in_beams = width / angle_increment_;
+  void for_beams(const Span& span, const Visit& visit) noexcept {
+    const double lower_beam = positive_remainder(span.lower - angle_min_) / angle_increment_;
+    const double width_in_beams = std::min(span.width, turn) / angle_increment_;
     const double turn_in_beams = turn / angle_increment_;
-    for (const double start : {lower_beam - turn_in_beams, lower_beam}) {
+    const double last_beam = static_cast<double>(ranges_.size()) - 1.0;
+    for (double start = lower_beam - turn_in_beams; start <= last_beam; start += turn_in_beams) {
       const double first = std::max(0.0, std::ceil(start - 1e-6));
-      const double last =
-          std::min(static_cast<double>(ranges_.size()) - 1.0, std::floor(start + width_in_beams + 1e-6));
+      const double last = std::min(last_beam, std::floor(start + width_in_beams + 1e-6));
       if (last < first) continue;
       const auto end = static_cast<std::size_t>(last) + 1;
-      for (auto i = static_cast<std::size_t>(first); i < end; ++i) visit(directions_[i], ranges_[i]);
+      for (auto i = static_cast<std::size_t>(first); i < end; ++i) visit(origins_[i], directions_[i], ranges_[i]);
     }
   }
 
   static double positive_remainder(double angle) noexcept { return angle - turn * std::floor(angle / turn); }
 
   double angle_min_;
-  double angle_increment_;
+  double angle_increment_;  // from beam to beam, as the laser turns with the robot
+  bool is_moving_ = false;
+  double farthest_ = 0.0;  // that it gets [m]
   std::vector<Point2> directions_;
+  std::vector<Point2> origins_;
   std::vector<double>& ranges_;
 };
 
@@ -96,6 +145,7 @@ std::string LidarModel::problem() const {
   if (!(angle_increment * (beams - 1) < turn * (1.0 + 1e-9))) return "the beams span more than one turn: give fewer";
   if (!(range_min >= 0.0 && range_max > range_min)) return "ranges must be 0 <= range_min < range_max [m]";
   if (!(rate > 0.0)) return "rate must be above 0 Hz";
+  if (!(sweep_time >= 0.0 && std::isfinite(sweep_time))) return "sweep_time must be 0 s or more";
   if (!(range_noise >= 0.0 && std::isfinite(range_noise))) return "range_noise must be 0 m or more";
   if (!T_robot_laser.is_finite()) return "T_robot_laser is not finite: give metres and radians";
   return {};
@@ -114,8 +164,16 @@ LidarModel hokuyo_utm30lx(double range_noise) {
 }
 
 void true_ranges(const World& world, const Pose2& T_map_laser, const LidarModel& lidar, std::vector<double>& ranges) {
+  true_ranges(world, T_map_laser, {}, lidar, ranges);
+}
+
+void true_ranges(const World& world, const Pose2& T_map_laser, const Pose2& T_first_last, const LidarModel& lidar,
+                 std::vector<double>& ranges) {
   if (const std::string problem = lidar.problem(); !problem.empty()) throw Error(problem, "LidarModel");
-  Fan fan(lidar, ranges);
+  if (!(T_first_last.log().norm() < 1.0) || std::abs(T_first_last.theta) > 0.5 * lidar.angle_increment * lidar.beams)
+    throw Error("the laser moves by " + to_string(T_first_last) + " during a sweep", "true_ranges",
+                "a sweep of a slower robot, or of a faster laser: less than 1 m, 1 rad and half of what it sweeps");
+  Fan fan(lidar, T_first_last, ranges);
   const Pose2 T_laser_map = T_map_laser.inverse();
   const Matrix<2, 2> rotation = T_laser_map.rotation();
   const Point2 translation = T_laser_map.translation();
@@ -132,10 +190,17 @@ void true_ranges(const World& world, const Pose2& T_map_laser, const LidarModel&
 }
 
 LaserScan scan(const World& world, const Pose2& T_map_robot, const LidarModel& lidar, Random& random) {
+  return scan(world, T_map_robot, {}, lidar, random);
+}
+
+LaserScan scan(const World& world, const Pose2& T_map_robot, const Pose2& sweep_motion, const LidarModel& lidar,
+               Random& random) {
   std::vector<double> ranges;
-  true_ranges(world, T_map_robot * lidar.T_robot_laser, lidar, ranges);
+  const Pose2 of_laser = lidar.T_robot_laser.inverse() * sweep_motion * lidar.T_robot_laser;
+  true_ranges(world, T_map_robot * lidar.T_robot_laser, of_laser, lidar, ranges);
 
   LaserScan result;
+  result.time_increment = lidar.beams > 1 ? lidar.sweep_time / (lidar.beams - 1) : 0.0;
   result.angle_min = lidar.angle_min;
   result.angle_increment = lidar.angle_increment;
   result.range_min = lidar.range_min;

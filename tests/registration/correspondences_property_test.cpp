@@ -78,14 +78,14 @@ void walk(std::uint64_t seed) {
 }
 
 TEST(CorrespondencesPropertyTest, AreBruteForceAndSearchOnlyWhereTheNeighbourMayHaveChanged2D) {
-  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(600); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     ASSERT_NO_FATAL_FAILURE(walk<2>(seed));
   }
 }
 
 TEST(CorrespondencesPropertyTest, AreBruteForceAndSearchOnlyWhereTheNeighbourMayHaveChanged3D) {
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(300); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     ASSERT_NO_FATAL_FAILURE(walk<3>(seed));
   }

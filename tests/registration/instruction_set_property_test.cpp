@@ -150,7 +150,7 @@ void match_with_all(const PointCloud2& map, const IndexedPoints<2>& index, const
 constexpr int sizes[] = {0, 1, 3, 15, 16, 17, 63, 64, 65, 181, 360, 1081, 4000};
 
 TEST(InstructionSetPropertyTest, OutputsAreExactWithEverySet) {
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(12); ++seed) {
     Random random(seed);
     const double away[] = {0.0, 500.0, 5000.0};
     const World world(random, random.point<2>(away[seed % 3]));
@@ -170,7 +170,7 @@ TEST(InstructionSetPropertyTest, OutputsAreExactWithEverySet) {
 TEST(InstructionSetPropertyTest, MatchesAreExactWhereManyAreNearlyAsNear) {
   // Large cells that reach far measure in large units, and long lists have points that lie alike: which of them is
   // nearest is more than the units can tell.
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(40); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const double cell = random.uniform(0.02, 0.25);
@@ -202,7 +202,7 @@ TEST(InstructionSetPropertyTest, MatchesAreExactWhereManyAreNearlyAsNear) {
 }
 
 TEST(InstructionSetPropertyTest, OutliersAreExactAtAnyThreshold) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const PointCloud2 map = test::unkind_cloud<2>(random, 400);
@@ -223,7 +223,7 @@ TEST(InstructionSetPropertyTest, OutliersAreExactAtAnyThreshold) {
 }
 
 TEST(InstructionSetPropertyTest, OutputsAreExactFarFromTheMapAndForFarPoints) {
-  for (std::uint64_t seed = 0; seed < 24; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(24); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     // A long wall seen from one end, beyond the tables that a match keeps at hand, and points that lie anywhere.
@@ -254,7 +254,7 @@ TEST(InstructionSetPropertyTest, OutputsAreExactFarFromTheMapAndForFarPoints) {
 TEST(InstructionSetPropertyTest, MatchesAreExactBesideBordersHoweverFarTheScanSees) {
   // Pairs of map points whose bisectors run just beside the borders of cells: a query that rounding takes for the
   // neighbouring cell's must not be answered from a list that lacks its nearest point.
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(40); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const double cell = seed % 2 == 0 ? 0.25 : random.uniform(0.03, 0.25);

@@ -123,14 +123,14 @@ void expect_outputs_of_brute_force(std::uint64_t seed) {
 }
 
 TEST(MatchesPropertyTest, TenThousandScansInThePlaneAreClassifiedAsBruteForceDoes) {
-  for (std::uint64_t seed = 0; seed < 10000; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(10000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     ASSERT_NO_FATAL_FAILURE(expect_outputs_of_brute_force<2>(seed));
   }
 }
 
 TEST(MatchesPropertyTest, TenThousandScansInSpaceAreClassifiedAsBruteForceDoes) {
-  for (std::uint64_t seed = 0; seed < 10000; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(10000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     ASSERT_NO_FATAL_FAILURE(expect_outputs_of_brute_force<3>(seed));
   }

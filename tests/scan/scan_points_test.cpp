@@ -87,5 +87,35 @@ TEST(ScanPointsTest, ReusesItsMemory) {
 
 TEST(ScanPointsTest, AnEmptyScanHasNoPoints) { EXPECT_TRUE(to_points(LaserScan{}).in_robot.empty()); }
 
+TEST(ScanProjectorTest, EachPointIsSeenFromWhereTheRobotWas) {
+  test::Random random(3);
+  ScanProjector projector;
+  for (int run = 0; run < 50; ++run) {
+    LaserScan scan = scan_of(std::vector<float>(37, 2.0F));
+    scan.angle_increment = random.uniform(-0.2, 0.2);
+    scan.ranges[5] = 0.0F;
+    scan.T_robot_laser = random.pose<2>(0.5, 3.0);
+    const SweepMotion motion{random.pose<2>(0.5, 3.0), random.pose<2>(0.5, 1.0)};
+    ScanPoints points;
+    projector.append(scan, {}, motion, points);
+    ASSERT_EQ(points.in_robot.size(), 36U);
+    for (std::size_t k = 0; k < points.in_robot.size(); ++k) {
+      const double angle = scan.angle_min + points.beams[k] * scan.angle_increment;
+      const Pose2 robot = motion.T_start_first * interpolate(motion.T_first_last, points.beams[k] / 36.0);
+      const Point2 expected = robot * (scan.T_robot_laser * Point2(2.0 * std::cos(angle), 2.0 * std::sin(angle)));
+      EXPECT_LT((points.in_robot[k] - expected).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(ScanProjectorTest, ScansAreJoinedOneAfterTheOther) {
+  ScanProjector projector;
+  ScanPoints points;
+  projector.append(scan_of({1.0F, 0.0F, 3.0F}), {}, {}, points);
+  projector.append(scan_of({1.0F}), {}, {{5.0, 0.0, 0.0}, {}}, points);
+  EXPECT_EQ(points.beams, (std::vector<int>{0, 2, 0}));
+  EXPECT_LT((points.in_robot[2] - Point2(5.0, -1.0)).norm(), 1e-12);
+}
+
 }  // namespace
 }  // namespace slamicp

@@ -42,7 +42,7 @@ std::size_t unbuilt_of(const CellIndex& index, const Bounds<2>& bounds) {
 }
 
 TEST(CellBuildPropertyTest, AnswersAreTheSameBeforeDuringAndAfter) {
-  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(120); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const LazyWorld world(random);
@@ -84,7 +84,7 @@ TEST(CellBuildPropertyTest, AnswersAreTheSameBeforeDuringAndAfter) {
 }
 
 TEST(CellBuildPropertyTest, NearTilesComeFirst) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const LazyWorld world(random);
@@ -114,7 +114,7 @@ TEST(CellBuildPropertyTest, NearTilesComeFirst) {
 }
 
 TEST(CellBuildPropertyTest, VersionsMadeHalfWayBecomeCompleteToo) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const LazyWorld world(random);

@@ -21,7 +21,7 @@ void expect_all_answers(Random& random, const CellIndex& index, const PointCloud
 }
 
 TEST(CellIndexPropertyTest, IsBruteForceWhateverItsCells) {
-  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(500); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const CellOptions cells = test::any_cells(random);
@@ -38,7 +38,7 @@ TEST(CellIndexPropertyTest, IsBruteForceWhateverItsCells) {
 
 TEST(CellIndexPropertyTest, IsBruteForceBetweenTwoPointsWhereverTheirBisectorLies) {
   // What decides is on which side of the bisector a query lies: near the border of a cell both must be listed.
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const CellOptions cells{.cell = random.uniform(0.01, 0.2)};
@@ -101,7 +101,7 @@ std::vector<int> any_numbers(Random& random, const PointCloud2& cloud) {
 }
 
 TEST(CellIndexPropertyTest, IsBruteForceAfterAnyInsertsAndRemovals) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(20); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const CellOptions cells = test::any_cells(random);
@@ -160,7 +160,7 @@ TEST(CellIndexPropertyTest, IsBruteForceAfterAnyInsertsAndRemovals) {
 }
 
 TEST(CellIndexPropertyTest, BranchesFromOneVersionDoNotSeeEachOther) {
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(40); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const CellOptions cells = test::any_cells(random);
@@ -185,7 +185,7 @@ TEST(CellIndexPropertyTest, BranchesFromOneVersionDoNotSeeEachOther) {
 }
 
 TEST(CellIndexPropertyTest, LinesAfterRemovalAreAsOfTheRest) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(20); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const CellOptions cells{.cell = random.uniform(0.03, 0.1), .reach = 0.3, .eager = random.chance(0.7)};

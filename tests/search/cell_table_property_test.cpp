@@ -117,7 +117,7 @@ void expect_sound_table(const World& world, const CellTable& table, const Point2
 
 TEST(CellTablePropertyTest, EveryCellListsWhatIsNearestToAnyPlaceInIt) {
   std::size_t answers = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const World world = any_world(seed);
     Random random(seed + 1000);
@@ -179,7 +179,7 @@ TEST(CellTablePropertyTest, ACellThatCannotListAllSaysSo) {
 }
 
 TEST(CellTablePropertyTest, TablesAreEmptyWhereNothingIsWithinReachAndSharedWhereNothingChanged) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const World world = any_world(seed);

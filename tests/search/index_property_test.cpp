@@ -35,9 +35,9 @@ TYPED_TEST_SUITE(IndexPropertyTest, Dimensions);
 
 TYPED_TEST(IndexPropertyTest, KdTreeIsBruteForce) {
   constexpr int D = TypeParam::value;
-  for (int seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(300); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(static_cast<std::uint64_t>(seed));
+    Random random(seed);
     const Point<D> center = random.point<D>(random.chance(0.5) ? 0.0 : 500.0);
     const PointCloud<D> cloud = test::unkind_cloud<D>(random, random.integer(0, 300), center);
     const KdTree<D> tree(cloud);
@@ -50,9 +50,9 @@ TYPED_TEST(IndexPropertyTest, KdTreeIsBruteForce) {
 
 TYPED_TEST(IndexPropertyTest, IndexedPointsAreBruteForceHoweverTheyGrew) {
   constexpr int D = TypeParam::value;
-  for (int seed = 0; seed < 150; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(150); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(static_cast<std::uint64_t>(seed));
+    Random random(seed);
     const Point<D> center = random.point<D>(random.chance(0.5) ? 0.0 : 500.0);
     PointCloud<D> cloud = test::unkind_cloud<D>(random, random.integer(0, 100), center);
     IndexedPoints<D> index(cloud, {.neighbours = 0});
@@ -74,9 +74,9 @@ TYPED_TEST(IndexPropertyTest, TiesGoToTheLowerIndexWhateverTheRounding) {
   // Points on a line, coordinates and queries that do not square exactly: the box of a far subtree must never round to
   // beyond a point in it. Every coordinate stands there many times over.
   constexpr int D = TypeParam::value;
-  for (int seed = 0; seed < 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(static_cast<std::uint64_t>(seed));
+    Random random(seed);
     PointCloud<D> cloud;
     std::vector<double> places;
     for (int k = 0; k < 6; ++k) places.push_back(random.uniform(-1.0, 1.0));

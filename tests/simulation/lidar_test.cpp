@@ -173,5 +173,50 @@ TEST(Lidar, RefusesAModelThatCannotBe) {
   EXPECT_NE(hokuyo_utm30lx(-0.01).problem(), "");
 }
 
+TEST(Lidar, SeesFromWhereItIsAtEachBeamWhileItMoves) {
+  const World world = corridor_world_with("C2");
+  Random random(7);
+  LidarModel lidar = hokuyo_utm30lx();
+  lidar.beams = 271;
+  lidar.angle_increment *= 4.0;
+  std::vector<double> ranges;
+  int hits = 0;
+  for (int run = 0; run < 200; ++run) {
+    // Fast, and now and then through a wall: then things are near.
+    const Pose2 T_map_laser{random.uniform(0.5, 25.0), random.uniform(0.1, 2.4), random.uniform(-3.1, 3.1)};
+    const double most = run % 2 == 0 ? 0.05 : 0.4;
+    const Pose2 motion{random.uniform(-most, most), random.uniform(-most, most), random.uniform(-0.5, 0.5)};
+    true_ranges(world, T_map_laser, motion, lidar, ranges);
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const Pose2 there = T_map_laser * interpolate(motion, static_cast<double>(i) / 270.0);
+      const double expected = brute_force(world, there, angle_of(lidar, i));
+      if (std::isinf(expected) && std::isinf(ranges[i])) continue;
+      ++hits;
+      ASSERT_NEAR(ranges[i], expected, 1e-6) << "run " << run << ", beam " << i;
+    }
+  }
+  EXPECT_GT(hits, 50000);
+}
+
+TEST(Lidar, AFullTurnWhileTurningSeesAllAround) {
+  LidarModel lidar = hokuyo_utm30lx();
+  lidar.beams = 720;
+  lidar.angle_increment = 2.0 * std::numbers::pi / 720.0;
+  std::vector<double> ranges;
+  for (const double turned : {-0.8, 0.8}) {
+    true_ranges(room(3.0, 2.0), {}, {0.0, 0.0, turned}, lidar, ranges);
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+      ASSERT_NEAR(ranges[i],
+                  brute_force(room(3.0, 2.0), {0.0, 0.0, turned * static_cast<double>(i) / 719.0}, angle_of(lidar, i)),
+                  1e-9);
+  }
+}
+
+TEST(Lidar, RefusesASweepThatNoRobotMakes) {
+  std::vector<double> ranges;
+  EXPECT_THROW(true_ranges(room(3.0, 2.0), {}, {2.0, 0.0, 0.0}, hokuyo_utm30lx(), ranges), Error);
+  EXPECT_THROW(true_ranges(room(3.0, 2.0), {}, {0.0, 0.0, 3.0}, hokuyo_utm30lx(), ranges), Error);
+}
+
 }  // namespace
 }  // namespace slamicp

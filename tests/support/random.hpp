@@ -14,6 +14,17 @@ inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double pi = std::numbers::pi;
 
+/// How many seeds to try a property with: fewer under a sanitizer, where each takes ten times as long.
+constexpr std::uint64_t seeds(std::uint64_t all) noexcept {
+#if defined(__SANITIZE_THREAD__)
+  return (all + 7) / 8;
+#elif defined(__SANITIZE_ADDRESS__)
+  return (all + 3) / 4;
+#else
+  return all;
+#endif
+}
+
 /// Seeded numbers for a test: the seed goes into SCOPED_TRACE, so that a failure can be repeated.
 class Random {
  public:

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <slamicp/localization/fix.hpp>
@@ -22,6 +23,10 @@ struct LocalizerOptions {
   double guess_share = 0.0;    ///< how much the prediction itself counts, see IcpOptions
   double final_gate = 0.0;     ///< [m]; 0: from the map
   RangeFilter ranges{};        ///< readings to leave out
+  bool use_odometry = true;    ///< predict by the scans' T_odom_robot and sweep_motion, where they have them
+  /// Points are taken from where the robot was when their beam was measured, for scans with a time increment: by
+  /// `sweep_motion`, else with the velocity since the last fix, and once more with what the match says it was.
+  bool deskew = true;
   /// What to compute for each fix besides the pose. Per-point matches cost a distance a point.
   Outputs outputs = {.mean_inlier_distance = true, .outlier_indices = true, .outliers_in_map = true};
 
@@ -55,6 +60,10 @@ class Localizer {
 
   /// Localizes one scan. The Fix is good until the next call.
   const Fix& update(const LaserScan& scan) noexcept;
+
+  /// One fix from the scans of several lasers of one robot, each with its own place on it and its own stamp. The pose
+  /// is that at the first scan's stamp. No scan: the last Fix again.
+  const Fix& update(std::span<const LaserScan> scans) noexcept;
 
   /// The last Fix; before the first scan one at the pose that was set, not usable.
   const Fix& fix() const noexcept;

@@ -36,7 +36,12 @@ struct MapperOptions {
   /// How much the prediction itself counts, as a share of the pairs, see IcpOptions: while little is mapped, a corridor
   /// must not slide.
   double guess_share = 0.05;
-  RangeFilter ranges = {};       ///< readings to leave out
+  RangeFilter ranges = {};   ///< readings to leave out
+  bool use_odometry = true;  ///< see LocalizerOptions
+  bool deskew = true;        ///< see LocalizerOptions
+  /// Points farther from the robot are forgotten as the map grows [m], > 0; 0: none are. Work and memory are bounded,
+  /// and what is left is odometry.
+  double forget_distance = 0.0;
   SurfaceOptions surfaces = {};  ///< of the map
 
   /// The first rule broken, in words a user can act on; empty if none.
@@ -64,7 +69,8 @@ class Mapper {
   /// The map so far; null before the first scan that has points.
   const PointMap2::Pointer& map() const noexcept { return localizer_.map(); }
   /// The map to keep, once the log is done: each point moved to the mean of what later scans saw of it, without the
-  /// points that noise has left beside the walls. Null before the first scan that has points. O(n log n).
+  /// points that noise has left beside the walls; with a forget_distance the map so far. Null before the first scan
+  /// that has points. O(n log n).
   PointMap2::Pointer refined_map() const;
 
   /// T_map_robot of every scan, in the order they came.
@@ -77,6 +83,7 @@ class Mapper {
  private:
   bool moved_on(const Pose2& pose) const noexcept;
   void grow(const Fix& fix);
+  void forget_far_points();
 
   MapperOptions options_;
   Localizer localizer_;

@@ -37,6 +37,7 @@ struct ObstacleOptions {
 /// Outliers that follow each other along the scan belong together while their gap is no wider than a surface seen
 /// at min_incidence would leave (the adaptive breakpoint of Borges, Aldon 2004). O(outliers). Throws Error with
 /// options.problem().
+/// @param scan  the one that the fix is of; of several that were joined the first, all being of its kind
 std::vector<Obstacle> find_obstacles(const Fix& fix, const LaserScan& scan, const ObstacleOptions& options = {});
 
 }  // namespace slamicp

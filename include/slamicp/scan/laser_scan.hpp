@@ -13,18 +13,28 @@ namespace slamicp {
 /// One sweep of a planar lidar.
 ///
 /// Beam i points to `angle_min + i * angle_increment` in the laser's frame (x ahead, y to the left,
-/// counter-clockwise). A reading that is NaN, infinite, zero, below `range_min` or at or above `range_max` is
-/// no return.
+/// counter-clockwise; a laser that turns clockwise has a negative increment), and was measured at
+/// `stamp + i * time_increment`: the stamp is that of the first beam, as in ROS. A reading that is NaN, infinite, zero,
+/// below `range_min` or at or above `range_max` is no return.
 struct LaserScan {
-  double stamp = 0.0;                 ///< when the scan was taken, in the clock of its log [s]
+  double stamp = 0.0;                 ///< when beam 0 was measured, in the clock of its log [s]
+  double time_increment = 0.0;        ///< from one beam to the next [s]; 0: all at once, or not known
   double angle_min = 0.0;             ///< direction of beam 0 [rad]
   double angle_increment = 0.0;       ///< from one beam to the next [rad]
   double range_min = 0.0;             ///< readings below are no returns [m]
   double range_max = 1e9;             ///< readings at or above are no returns [m]
   std::vector<float> ranges;          ///< [m]
   Pose2 T_robot_laser;                ///< where the laser sits on the robot
-  std::optional<Pose2> T_odom_robot;  ///< the robot's pose by its wheels when the scan was taken, if known
+  std::optional<Pose2> T_odom_robot;  ///< the robot's pose by its wheels at `stamp`, if known
+  /// How far the robot moved, by its wheels, from the first beam to the last: T_first_last, if known.
+  std::optional<Pose2> sweep_motion;
+  int laser = 0;  ///< which of the robot's lasers, counted from 0
 };
+
+/// From the first beam to the last [s].
+inline double sweep_time(const LaserScan& scan) noexcept {
+  return scan.ranges.empty() ? 0.0 : scan.time_increment * static_cast<double>(scan.ranges.size() - 1);
+}
 
 /// Field of view, first beam to last [rad].
 inline double field_of_view(const LaserScan& scan) noexcept {

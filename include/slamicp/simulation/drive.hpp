@@ -33,11 +33,11 @@ struct SimulatedRun {
 /// Drives a robot along the smooth curve through the waypoints, looking where it goes, at constant speed from the first
 /// to the last, and scans on the way: scan i is stamped i / rate [s].
 ///
-/// Each scan is instantaneous: the robot's motion during a sweep is later work. Lidar and wheels draw from streams of
-/// their own, so another lidar leaves the odometry as it is. The same arguments give the same bytes with every
-/// compiler and level of optimization; where they fuse multiplications with additions (-march=native, ARM) they are
-/// others in the last bits. The robot has no body: keeping the path clear of walls is up to the caller.
-/// Throws Error for options with a `problem()` and for waypoints that make no path.
+/// Where the lidar has a sweep time, the robot moves while it sweeps. Lidar and wheels draw from streams of their own,
+/// so another lidar leaves the odometry as it is. The same arguments give the same bytes with every compiler and level
+/// of optimization; where they fuse multiplications with additions (-march=native, ARM) they are others in the last
+/// bits. The robot has no body: keeping the path clear of walls is up to the caller. Throws Error for options with a
+/// `problem()` and for waypoints that make no path.
 SimulatedRun simulate_drive(const World& world, std::span<const Point2> waypoints, const DriveOptions& options = {});
 
 }  // namespace slamicp

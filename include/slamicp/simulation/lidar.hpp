@@ -18,6 +18,7 @@ struct LidarModel {
   double range_min = 0.1;        ///< nearer things give no return [m]
   double range_max = 30.0;       ///< so do things at this range and beyond [m]
   double rate = 40.0;            ///< sweeps a second [Hz]
+  double sweep_time = 0.0;       ///< from the first beam to the last [s]; 0: all beams at one instant
   double range_noise = 0.01;     ///< standard deviation of a reading [m], the same at all ranges; 0 for exact ranges
   Pose2 T_robot_laser = {};      ///< where it sits on the robot
 
@@ -35,9 +36,21 @@ LidarModel hokuyo_utm30lx(double range_noise = 0.01);
 /// Throws Error for a model with a `problem()`.
 void true_ranges(const World& world, const Pose2& T_map_laser, const LidarModel& lidar, std::vector<double>& ranges);
 
-/// One sweep with noise, all beams at one instant: the robot stands still meanwhile (motion during the sweep is later
-/// work). No return is 0. Draws one number a beam whatever it meets, so the same seed gives the same noise with and
-/// without an obstacle. The stamp is 0.
+/// The same for a laser that moves with constant velocity while it sweeps.
+/// @param T_map_laser   at the first beam
+/// @param T_first_last  its motion until the last beam: less than 1 m and 1 rad, and it turns by less than half of what
+///                      it sweeps
+void true_ranges(const World& world, const Pose2& T_map_laser, const Pose2& T_first_last, const LidarModel& lidar,
+                 std::vector<double>& ranges);
+
+/// One sweep with noise, the robot standing still meanwhile. No return is 0. Draws one number a beam whatever it meets,
+/// so the same seed gives the same noise with and without an obstacle. The stamp is 0.
 LaserScan scan(const World& world, const Pose2& T_map_robot, const LidarModel& lidar, Random& random);
+
+/// The same while the robot moves.
+/// @param T_map_robot   at the first beam
+/// @param sweep_motion  the robot's motion until the last beam, as LaserScan has it; the scan is not told
+LaserScan scan(const World& world, const Pose2& T_map_robot, const Pose2& sweep_motion, const LidarModel& lidar,
+               Random& random);
 
 }  // namespace slamicp
