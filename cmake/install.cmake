@@ -15,7 +15,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # slamicp_install_library(core REQUIRES eigen3 ...): the target slamicp_core, its package part, its pkg-config file.
 function(slamicp_install_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "DESCRIPTION" "REQUIRES;REQUIRES_PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "DESCRIPTION" "REQUIRES;REQUIRES_PRIVATE;LIBS_PRIVATE")
   install(TARGETS slamicp_${name} EXPORT slamicp-${name}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -26,6 +26,13 @@ function(slamicp_install_library name)
   if(NOT BUILD_SHARED_LIBS)
     list(APPEND arg_REQUIRES ${arg_REQUIRES_PRIVATE})
     set(arg_REQUIRES_PRIVATE "")
+  endif()
+  list(TRANSFORM arg_LIBS_PRIVATE PREPEND -l)
+  list(JOIN arg_LIBS_PRIVATE " " pc_libs_private)
+  set(pc_libs "")
+  if(NOT BUILD_SHARED_LIBS)
+    set(pc_libs ${pc_libs_private})
+    set(pc_libs_private "")
   endif()
   list(JOIN arg_REQUIRES " " pc_requires)
   list(JOIN arg_REQUIRES_PRIVATE " " pc_requires_private)
@@ -42,7 +49,7 @@ endfunction()
 
 slamicp_install_library(core REQUIRES eigen3 DESCRIPTION "${PROJECT_DESCRIPTION}")
 if(SLAMICP_BUILD_IO)
-  slamicp_install_library(io REQUIRES slamicp-core REQUIRES_PRIVATE ${SLAMICP_IO_MODULES}
+  slamicp_install_library(io REQUIRES slamicp-core REQUIRES_PRIVATE ${SLAMICP_IO_MODULES} LIBS_PRIVATE ${SLAMICP_IO_LIBRARIES}
     DESCRIPTION "Files and pictures for slamicp-core")
 endif()
 if(TARGET slamicp_command)

@@ -12,21 +12,38 @@ needs_for_build="
 g++                  the compiler
 cmake                configures the build
 ninja-build          runs the build
-pkg-config           finds Cairo
+pkg-config           finds what reads and draws files: Cairo, SQLite, lz4, ...
 libeigen3-dev        linear algebra, all that the core needs
 libhwy-dev           vectorizes the match in the plane: headers only, nothing to link
 libcairo2-dev        pictures, SVG and PNG
+libpng-dev           reads map_server maps whose image is PNG
+liblz4-dev           reads bags packed with lz4
+libbz2-dev           reads bags packed with bzip2
+zlib1g-dev           reads logs packed with gzip
+liblzma-dev          reads logs packed with xz
+libzstd-dev          reads logs packed with zstd
 libcli11-dev         the command line
 nlohmann-json3-dev   --json summaries
-libyaml-cpp-dev      --config files
+libyaml-cpp-dev      --config files, metadata.yaml of rosbag2, map_server maps
+libsqlite3-dev       reads rosbag2
+libfastcdr-dev       reads messages of ROS 2
 "
 needs_for_tests="
 libgtest-dev         unit tests
 librapidcheck-dev    property tests
 python3              the test of the include graph
+python3-yaml         an independent reader of map_server maps ...
+python3-pil          ... and of their images
+python3-rosbag       an independent reader and writer of ROS 1 bags ...
+python3-sensor-msgs  ... with the messages that logs are made of
+python3-nav-msgs     ... of odometry
+python3-tf2-msgs     ... and of frames
 ccache               saves compiling the same twice
 libnanoflann-dev     slamicp-bench: the tree of the paper's agents
 libbenchmark-dev     micro-benchmarks
+"
+# Where npm does not come with Node.js, as it does outside Debian.
+command -v npm >/dev/null || needs_for_tests+="npm                  fetches what else writes MCAP, to compare
 "
 needs_for_clang="
 clang                the second compiler

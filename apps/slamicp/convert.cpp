@@ -7,6 +7,7 @@
 #include <slamicp/error.hpp>
 #include <slamicp/io/cloud_file.hpp>
 #include <slamicp/io/file_kind.hpp>
+#include <slamicp/io/occupancy_map_file.hpp>
 #include <slamicp/io/scan_log.hpp>
 
 #include "output.hpp"
@@ -19,6 +20,7 @@ namespace {
 struct Words {
   std::string in, out, json;
   bool ascii = false;
+  double resolution = GridOptions{}.resolution;
   ScanLogOptions reading;
 };
 
@@ -37,7 +39,10 @@ void convert_cloud(const Words& words) {
   const Cloud cloud = load_cloud(words.in);
   warn(cloud.warnings);
   const auto encoding = words.ascii ? CloudEncoding::ascii : CloudEncoding::binary;
-  std::visit([&](const auto& points) { save_cloud(words.out, points, encoding); }, cloud.points);
+  if (const auto* plane = std::get_if<PointCloud2>(&cloud.points); plane != nullptr && is_map_server(words.out))
+    save_occupancy_map(words.out, to_occupancy_grid(*plane, {.resolution = words.resolution}));
+  else
+    std::visit([&](const auto& points) { save_cloud(words.out, points, encoding); }, cloud.points);
   write_json(words.json, {{"verb", "convert"},
                           {"in", words.in},
                           {"out", words.out},
@@ -47,25 +52,44 @@ void convert_cloud(const Words& words) {
   Talk{words.json}(format("%zu points -> %s", cloud.size(), words.out.c_str()));
 }
 
+/// Cell by cell: what is free stays free.
+void convert_map(const Words& words) {
+  const OccupancyMap map = load_occupancy_map(words.in);
+  warn(map.warnings);
+  save_occupancy_map(words.out, map.grid);
+  write_json(words.json, {{"verb", "convert"},
+                          {"in", words.in},
+                          {"out", words.out},
+                          {"kind", "map"},
+                          {"width", map.grid.width},
+                          {"height", map.grid.height}});
+  Talk{words.json}(format("%d x %d cells -> %s", map.grid.width, map.grid.height, words.out.c_str()));
+}
+
 void run(const Words& words) {
   const std::string out = std::filesystem::path(words.out).extension().string();
-  const bool in_is_log = kind_of(words.in) == FileKind::scan_log;
+  const FileKind kind = kind_of(words.in);
+  const bool in_is_log = kind == FileKind::scan_log;
   const bool out_can_be_log = is_log_ending(out) || out == ".csv";
   if (in_is_log && out_can_be_log) return convert_log(words);
+  if (kind == FileKind::occupancy_map && is_map_server(words.out)) return convert_map(words);
   if (!in_is_log && !is_log_ending(out)) return convert_cloud(words);
-  throw Error(in_is_log ? "a log cannot become a cloud by itself" : "a cloud has no scans",
-              words.in + " -> " + words.out,
-              in_is_log ? "make a map of it: slamicp map LOG --out MAP" : "give a cloud's ending: .csv .xyz .pcd .ply");
+  throw Error(
+      in_is_log ? "a log cannot become a cloud by itself" : "a cloud has no scans", words.in + " -> " + words.out,
+      in_is_log ? "make a map of it: slamicp map LOG --out MAP" : std::string("give a cloud's ending: ") + map_words);
 }
 
 }  // namespace
 
 void add_convert(CLI::App& program) {
-  CLI::App* verb = program.add_subcommand("convert", "a log or a cloud into another format, by file name ending");
+  CLI::App* verb =
+      program.add_subcommand("convert", "a log, a cloud or a map into another format, by file name ending");
   const auto words = std::make_shared<Words>();
-  verb->add_option("IN", words->in, "log: .clf .log .csv; cloud: .csv .xyz .pcd .ply")->required();
-  verb->add_option("OUT", words->out, "log: .clf .log (CARMEN), .csv (ranges); cloud: .csv .xyz .pcd .ply")->required();
+  verb->add_option("IN", words->in, std::string("log: ") + log_words + "; cloud or map: " + map_words)->required();
+  verb->add_option("OUT", words->out, std::string("log: .clf .log (CARMEN), .csv (ranges); cloud or map: ") + map_words)
+      ->required();
   verb->add_flag("--ascii", words->ascii, "text PCD and PLY; default: binary");
+  add_resolution(*verb, words->resolution);
   add_log_options(*verb, words->reading);
   add_json(*verb, words->json);
   add_example(*verb, "slamicp convert map.ply map.pcd");

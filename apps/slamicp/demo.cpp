@@ -36,7 +36,7 @@ SimulatedRun drive_through(const World& world, const char* way, const DriveOptio
 PointMap2::Pointer explore(const SimulatedRun& run, Trajectory& estimate) {
   MapperOptions options;
   options.initial_pose = run.truth.front().pose;  // so that the map's frame is the world's, and errors can be told
-  options.insertion_distance = 0.012;  // a fine map, about 10,000 points
+  options.insertion_distance = 0.012;             // a fine map, about 10,000 points
   options.keyframe_distance = 0.5;
   Mapper mapper(options);
   Progress progress("mapping", run.scans.size());

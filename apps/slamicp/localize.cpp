@@ -204,7 +204,7 @@ void add_localize(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("localize", "localize every scan of a log in a given map");
   const auto words = std::make_shared<Words>();
   verb->add_option("LOG", words->log, std::string("laser log: ") + log_words)->required();
-  verb->add_option("--map", words->map, "the map: .csv .xyz .pcd .ply")->required();
+  verb->add_option("--map", words->map, std::string("the map: ") + map_words)->required();
   add_pose(*verb, "--initial-pose", words->initial_pose, "where the robot starts in the map; default 0,0,0");
   verb->add_option("--trajectory", words->trajectory, "poses T_map_robot, a line a scan")->type_name("TUM");
   verb->add_option("--outliers", words->outliers, "points that fit nothing in the map")->type_name("CSV");

@@ -4,8 +4,10 @@
 
 #include <slamicp/error.hpp>
 #include <slamicp/io/map_file.hpp>
+#include <slamicp/io/occupancy_map_file.hpp>
 #include <slamicp/io/picture.hpp>
 #include <slamicp/io/trajectory_file.hpp>
+#include <slamicp/map/grid_builder.hpp>
 #include <slamicp/mapping/mapper.hpp>
 
 #include "output.hpp"
@@ -21,6 +23,7 @@ struct Words {
   MatchOptions match;
   MotionOptions motion;
   MapperOptions mapper;
+  double resolution = GridOptions{}.resolution;
   bool all_points = false;
   bool raw = false;
 };
@@ -46,15 +49,27 @@ void draw(const Words& words, const Mapper& mapper, const PointMap2& map) {
   picture.save(words.picture);
 }
 
+/// The map as it is asked for: points, or cells that the scans found occupied and free.
+void save(const Words& words, const PointMap2& map, const GridBuilder& builder, Json& summary) {
+  if (!is_map_server(words.out)) return save_map(words.out, map);
+  const OccupancyGrid grid = builder.grid();
+  const CellCounts counts = count_cells(grid);
+  save_occupancy_map(words.out, grid);
+  summary["cells"] = {{"occupied", counts.occupied}, {"free", counts.free}, {"unknown", counts.unknown}};
+}
+
 void run(const Words& words) {
   const ScanLog log = open_scan_log(words.log, words.reading);
   warn(log.warnings);
   Mapper mapper(mapper_options(words));
+  GridBuilder builder({.grid = {.resolution = words.resolution}});
+  const bool wants_cells = is_map_server(words.out);
   const Stopwatch watch;
   {
     Progress progress("mapping", log.size());
     for (const LaserScan& scan : log) {
-      mapper.add(scan);
+      const Fix& fix = mapper.add(scan);
+      if (wants_cells && fix.usable()) builder.add(fix.scan.in_robot, scan.T_robot_laser.translation(), fix.pose);
       progress.step();
     }
   }
@@ -63,18 +78,19 @@ void run(const Words& words) {
     throw Error("no scan has a return within the ranges", words.log, "raise --max-range, or see 'slamicp info'");
 
   const PointMap2::Pointer map = words.raw ? mapper.map() : mapper.refined_map();
-  save_map(words.out, *map);
+  Json summary{{"verb", "map"},
+               {"log", words.log},
+               {"map", words.out},
+               {"scans", log.size()},
+               {"map_points", map->size()},
+               {"keyframes", mapper.keyframes()},
+               {"unmatched_scans", mapper.unmatched()},
+               {"seconds", seconds},
+               {"last_pose", to_json(mapper.trajectory().back().pose)}};
+  save(words, *map, builder, summary);
   if (!words.trajectory.empty()) save_trajectory(words.trajectory, mapper.trajectory());
   if (!words.picture.empty()) draw(words, mapper, *map);
-  write_json(words.json, {{"verb", "map"},
-                          {"log", words.log},
-                          {"map", words.out},
-                          {"scans", log.size()},
-                          {"map_points", map->size()},
-                          {"keyframes", mapper.keyframes()},
-                          {"unmatched_scans", mapper.unmatched()},
-                          {"seconds", seconds},
-                          {"last_pose", to_json(mapper.trajectory().back().pose)}});
+  write_json(words.json, summary);
   const Talk talk(words.json);
   talk(format("%zu scans, %d of them added to the map, %d unmatched; %zu map points in %.1f s -> %s", log.size(),
               mapper.keyframes(), mapper.unmatched(), map->size(), seconds, words.out.c_str()));
@@ -86,9 +102,10 @@ void add_map(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("map", "SLAM by scan matching: a map from a log");
   const auto words = std::make_shared<Words>();
   verb->add_option("LOG", words->log, std::string("laser log: ") + log_words)->required();
-  verb->add_option("--out", words->out, "the map: .csv .xyz .pcd .ply")->required()->type_name("MAP");
+  verb->add_option("--out", words->out, std::string("the map: ") + map_words)->required()->type_name("MAP");
   verb->add_option("--trajectory", words->trajectory, "poses T_map_robot, a line a scan")->type_name("TUM");
   verb->add_option("--picture", words->picture, "map and path")->type_name("FILE.svg|.png");
+  add_resolution(*verb, words->resolution);
   add_motion_options(*verb, words->motion);
   add_match_options(*verb, words->match, words->mapper.max_correspondence_distance);
   words->match.max_iterations = words->mapper.max_iterations;

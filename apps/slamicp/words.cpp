@@ -30,6 +30,17 @@ std::optional<Pose2> parse_pose(const std::string& text) {
 
 void add_example(CLI::App& verb, const std::string& example) { verb.footer("Example: " + example); }
 
+bool is_map_server(const std::string& file) {
+  const std::string name = CLI::detail::to_lower(file);
+  return name.ends_with(".yaml") || name.ends_with(".yml");
+}
+
+void add_resolution(CLI::App& verb, double& resolution) {
+  verb.add_option("--resolution", resolution, "the cells of a map_server map (.yaml) [m]")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+}
+
 CLI::Option* add_pose(CLI::App& verb, const std::string& name, std::optional<Pose2>& pose, const std::string& meaning) {
   const auto take = [&pose](const CLI::results_t& words) {
     pose = parse_pose(words.front());

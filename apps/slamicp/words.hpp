@@ -23,6 +23,16 @@ inline constexpr const char* log_words =
     ".clf .log (CARMEN), .csv (ranges), both also packed (.gz .xz .zst .bz2); .bag, .db3, .mcap, a rosbag2 folder "
     "(ROS)";
 
+/// The files that a verb takes as a cloud, and those that it takes as a map.
+inline constexpr const char* cloud_words = ".csv .xyz .pcd .ply";
+inline constexpr const char* map_words = ".csv .xyz .pcd .ply, .yaml (ROS map_server)";
+
+/// True for the name of a map_server map.
+bool is_map_server(const std::string& file);
+
+/// `--resolution`: the cells of a map_server map that is written.
+void add_resolution(CLI::App& verb, double& resolution);
+
 /// How to read a log: `--laser-offset`; for ROS `--scan-topic`, `--odometry-topic` and `--base-frame`; for ranges CSV
 /// `--fov-deg` and `--scan-rate-hz`.
 void add_log_options(CLI::App& verb, ScanLogOptions& log);

@@ -3,6 +3,7 @@
 
 #include <slamicp/error.hpp>
 #include <slamicp/io/cloud_file.hpp>
+#include <slamicp/io/occupancy_map_file.hpp>
 #include <slamicp/io/output_file.hpp>
 
 #include "io/cloud_formats.hpp"
@@ -13,13 +14,25 @@ namespace {
 
 [[noreturn]] void fail_unknown_ending(const std::filesystem::path& path) {
   throw Error("ending " + text::quoted(text::ending_of(path)) + " is of no cloud that slamicp knows",
-              text::name_of(path), "name it .csv, .xyz, .txt, .pcd or .ply");
+              text::name_of(path), "name it .csv, .xyz, .txt, .pcd, .ply, or .yaml (map_server)");
 }
 
 bool is_text_ending(const std::string& ending) { return ending == ".csv" || ending == ".xyz" || ending == ".txt"; }
 
+bool is_map_ending(const std::string& ending) { return ending == ".yaml" || ending == ".yml"; }
+
+RawCloud load_walls(const std::filesystem::path& path) {
+  OccupancyMap map = load_occupancy_map(path);
+  RawCloud raw;
+  for (const Point2& point : wall_points(map.grid)) raw.points.emplace_back(point.x(), point.y(), 0.0);
+  raw.format = "map_server, " + map.format;
+  raw.warnings = std::move(map.warnings);
+  return raw;
+}
+
 RawCloud load_raw(const std::filesystem::path& path) {
   const std::string ending = text::ending_of(path);
+  if (is_map_ending(ending) || ending == ".pgm") return load_walls(path);
   const bool is_text = is_text_ending(ending);
   if (!is_text && ending != ".pcd" && ending != ".ply") fail_unknown_ending(path);
   const std::string content = text::read_file(path);
@@ -84,6 +97,7 @@ PointCloud2 load_cloud2(const std::filesystem::path& path) {
 PointCloud3 load_cloud3(const std::filesystem::path& path) { return load_raw(path).points; }
 
 void save_cloud(const std::filesystem::path& path, const PointCloud2& points, CloudEncoding encoding) {
+  if (is_map_ending(text::ending_of(path))) return save_occupancy_map(path, to_occupancy_grid(points));
   PointCloud3 in_space;
   in_space.reserve(points.size());
   for (const Point2& point : points) in_space.emplace_back(point.x(), point.y(), 0.0);
@@ -91,6 +105,8 @@ void save_cloud(const std::filesystem::path& path, const PointCloud2& points, Cl
 }
 
 void save_cloud(const std::filesystem::path& path, const PointCloud3& points, CloudEncoding encoding) {
+  if (is_map_ending(text::ending_of(path)))
+    throw Error("a 3D cloud does not fit a map_server map", text::name_of(path), "cut a slice of it, and leave z out");
   save(path, points, 3, encoding);
 }
 

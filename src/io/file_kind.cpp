@@ -9,6 +9,8 @@
 #include <slamicp/error.hpp>
 #include <slamicp/io/file_kind.hpp>
 
+#include "io/log_format.hpp"
+
 namespace slamicp {
 namespace {
 
@@ -30,11 +32,12 @@ FileKind kind_of(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".clf" || ending == ".log") return FileKind::scan_log;
+  if (ending != ".csv" && log_format(path)) return FileKind::scan_log;
   if (ending == ".xyz" || ending == ".pcd" || ending == ".ply") return FileKind::cloud;
+  if (ending == ".yaml" || ending == ".yml" || ending == ".pgm") return FileKind::occupancy_map;
   if (ending == ".csv") return kind_of_csv(path);
   throw Error("the ending '" + ending + "' is not one we read", path.string(),
-              "give a log (.clf .log .csv) or a cloud (.csv .xyz .pcd .ply)");
+              std::string("give a log (") + log_endings + ") or a cloud (.csv .xyz .pcd .ply)");
 }
 
 }  // namespace slamicp

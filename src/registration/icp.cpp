@@ -47,27 +47,33 @@ template <int D>
 class Convergence {
  public:
   Convergence(const IcpOptions& options, const Pose<D>& guess) noexcept
-      : translation_(options.translation_tolerance),
-        rotation_(options.rotation_tolerance),
-        before_(guess),
-        now_(guess) {}
+      : translation_(options.translation_tolerance), rotation_(options.rotation_tolerance), now_(guess), mark_(guess) {}
 
   /// @param pose  after another step
   void step_to(const Pose<D>& pose) noexcept {
     const double step = size_of(distance(now_, pose));
     if (last_ > 0.0) ratio_ = std::min(step / last_, 0.999);
-    // Back where it was two steps ago: it flips for ever between two sets of pairs, and more steps bring nothing.
-    came_back_ = last_ > 0.0 && size_of(distance(before_, pose)) < 0.1;
-    before_ = now_;
     now_ = pose;
     last_ = step;
+    watch_for_cycles();
   }
 
-  /// Steps that shrink by a ratio q leave q / (1 - q) of the last one to go.
-  double left_of_last_step() const noexcept { return ratio_ / (1.0 - ratio_); }
-  bool reached() const noexcept { return came_back_ || last_ * left_of_last_step() < 1.0; }
+  /// Steps that shrink by a ratio q leave q / (1 - q) of the last one to go; those of a cycle lead nowhere.
+  double left_of_last_step() const noexcept { return is_cycle_ ? 0.0 : ratio_ / (1.0 - ratio_); }
+  bool reached() const noexcept { return is_cycle_ || last_ * left_of_last_step() < 1.0; }
 
  private:
+  /// A match may go round for ever between some sets of pairs, and more steps bring nothing. Brent 1980 ("An improved
+  /// Monte Carlo factorization algorithm"): a mark that moves on after 1, 2, 4, ... steps; who meets it goes round.
+  void watch_for_cycles() noexcept {
+    ++since_mark_;
+    is_cycle_ = since_mark_ > 1 && size_of(distance(mark_, now_)) < 0.1;
+    if (since_mark_ < next_mark_) return;
+    mark_ = now_;
+    since_mark_ = 0;
+    next_mark_ *= 2;
+  }
+
   double size_of(const PoseDistance& moved) const noexcept {
     return std::max(moved.translation / translation_, moved.rotation / rotation_);
   }
@@ -75,10 +81,12 @@ class Convergence {
   double translation_;
   double rotation_;
   double ratio_ = 0.5;  // what steps shrink by; a guess until two of them tell
-  Pose<D> before_;      // two steps ago
   Pose<D> now_;
   double last_ = 0.0;  // the last step, in tolerances
-  bool came_back_ = false;
+  Pose<D> mark_;
+  int since_mark_ = 0;  // steps
+  int next_mark_ = 2;   // after so many
+  bool is_cycle_ = false;
 };
 
 PointClass class_of(bool is_inlier, bool is_outlier) noexcept {

@@ -4,7 +4,7 @@
 
 #include <slamicp/error.hpp>
 #include <slamicp/simulation/drive.hpp>
-#include <slamicp/simulation/scripted_path.hpp>
+#include <slamicp/navigation/spline_path.hpp>
 
 namespace slamicp {
 
@@ -17,7 +17,7 @@ std::string DriveOptions::problem() const {
 
 SimulatedRun simulate_drive(const World& world, std::span<const Point2> waypoints, const DriveOptions& options) {
   if (const std::string problem = options.problem(); !problem.empty()) throw Error(problem, "DriveOptions");
-  const ScriptedPath path(waypoints);
+  const SplinePath path(waypoints);
   const Random random(options.seed);
   Random lidar_random = random.stream(1);
   Random wheel_random = random.stream(2);

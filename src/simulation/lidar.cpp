@@ -147,6 +147,11 @@ std::string LidarModel::problem() const {
   if (!(rate > 0.0)) return "rate must be above 0 Hz";
   if (!(sweep_time >= 0.0 && std::isfinite(sweep_time))) return "sweep_time must be 0 s or more";
   if (!(range_noise >= 0.0 && std::isfinite(range_noise))) return "range_noise must be 0 m or more";
+  if (!(noise_per_metre >= 0.0 && std::isfinite(noise_per_metre))) return "noise_per_metre must be 0 or more";
+  if (!(bias >= 0.0 && std::isfinite(bias))) return "bias must be 0 m or more";
+  if (!(bias_period > 0.0)) return "bias_period must be above 0 m";
+  if (!(dropouts >= 0.0 && dropouts <= 1.0)) return "dropouts is a share: give 0 to 1";
+  if (!(mixed_pixels >= 0.0 && mixed_pixels <= 1.0)) return "mixed_pixels is a share: give 0 to 1";
   if (!T_robot_laser.is_finite()) return "T_robot_laser is not finite: give metres and radians";
   return {};
 }
@@ -160,6 +165,16 @@ LidarModel hokuyo_utm30lx(double range_noise) {
   lidar.range_max = 30.0;
   lidar.rate = 40.0;
   lidar.range_noise = range_noise;
+  return lidar;
+}
+
+LidarModel real_hokuyo_utm30lx() {
+  LidarModel lidar = hokuyo_utm30lx(0.01);
+  lidar.sweep_time = 0.025;
+  lidar.noise_per_metre = 0.0005;
+  lidar.bias = 0.01;
+  lidar.dropouts = 0.002;
+  lidar.mixed_pixels = 0.3;
   return lidar;
 }
 
@@ -189,6 +204,23 @@ void true_ranges(const World& world, const Pose2& T_map_laser, const Pose2& T_fi
   }
 }
 
+namespace {
+
+/// A beam that hits an edge sees some of both sides.
+void mix_pixels(const LidarModel& lidar, Random& random, std::vector<double>& ranges) {
+  if (!(lidar.mixed_pixels > 0.0)) return;
+  constexpr double edge = 0.1;  // [m]
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const bool mixed = random.uniform() < lidar.mixed_pixels;
+    const double share = random.uniform();
+    if (!mixed || i + 1 == ranges.size()) continue;
+    const double step = std::min(ranges[i + 1], lidar.range_max) - std::min(ranges[i], lidar.range_max);
+    if (std::abs(step) > edge) ranges[i] = std::min(ranges[i], lidar.range_max) + share * step;
+  }
+}
+
+}  // namespace
+
 LaserScan scan(const World& world, const Pose2& T_map_robot, const LidarModel& lidar, Random& random) {
   return scan(world, T_map_robot, {}, lidar, random);
 }
@@ -207,10 +239,14 @@ LaserScan scan(const World& world, const Pose2& T_map_robot, const Pose2& sweep_
   result.range_max = lidar.range_max;
   result.T_robot_laser = lidar.T_robot_laser;
   result.ranges.reserve(ranges.size());
+  mix_pixels(lidar, random, ranges);
   for (const double range : ranges) {
-    const double reading = range + lidar.range_noise * random.normal();
+    const double sigma = lidar.range_noise + lidar.noise_per_metre * std::min(range, lidar.range_max);
+    double reading = range + sigma * random.normal();
+    if (lidar.bias > 0.0) reading += lidar.bias * std::sin(turn * range / lidar.bias_period);
+    const bool lost = lidar.dropouts > 0.0 && random.uniform() < lidar.dropouts;
     const auto stored = static_cast<float>(reading);
-    const bool seen = range >= lidar.range_min && range < lidar.range_max && is_return(result, stored);
+    const bool seen = !lost && range >= lidar.range_min && range < lidar.range_max && is_return(result, stored);
     result.ranges.push_back(seen ? stored : 0.0F);
   }
   return result;

@@ -6,18 +6,20 @@ import unittest
 from command import CommandTest, VERBS
 
 SHARED = ("--method", "--max-correspondence-distance", "--outlier-distance", "--max-iterations", "--max-range",
-          "--laser-offset", "--threads", "--config")
+          "--laser-offset", "--scan-topic", "--odometry-topic", "--base-frame", "--threads", "--config")
 # What docs and scripts may rely on (cli.md).
 OPTIONS = {
     "demo": ("--out",),
-    "info": ("FILE",),
-    "convert": ("IN", "OUT"),
+    "info": ("FILE", "--scan-topic", "--odometry-topic", "--base-frame"),
+    "convert": ("IN", "OUT", "--resolution", "--scan-topic"),
     "simulate": ("--out", "--world", "--obstacle", "--speed", "--seed", "--truth", "--map-out"),
-    "map": ("LOG", "--out", "--trajectory", "--picture") + SHARED,
+    "map": ("LOG", "--out", "--resolution", "--trajectory", "--picture") + SHARED,
     "localize": ("LOG", "--map", "--initial-pose", "--trajectory", "--outliers", "--obstacles", "--metrics",
                  "--update-map", "--report") + SHARED,
     "align": ("SOURCE", "TARGET", "--method", "--initial-pose", "--voxel", "--transform", "--outliers", "--merged"),
-    "evaluate": ("TRAJECTORY", "--truth", "--align", "--relations"),
+    "odometry": ("LOG", "--trajectory", "--picture", "--reference", "--map-radius", "--wheels", "--no-deskew",
+                 "--method", "--max-correspondence-distance", "--scan-topic", "--config"),
+    "evaluate": ("TRAJECTORY", "--truth", "--align", "--relations", "--relative-distance"),
 }
 
 
@@ -110,6 +112,10 @@ class Config(CommandTest):
         self.assertLessEqual(json.loads(self.read("from_file.json"))["iterations_mean"], 1.0)
         both = self.summary(*self.localize("--config", "options.yaml", "--max-iterations", "50"))
         self.assertGreater(both["iterations_mean"], 1.0)
+
+    def test_gives_lists_to_options_that_may_come_more_than_once(self):
+        self.write("options.yaml", "scan-topic: [/a, /b]\n")
+        self.done(*self.localize("--config", "options.yaml"))  # of no meaning for a log that is no ROS log
 
     def test_refuses_unknown_names_and_bad_values_with_file_and_line(self):
         for line, says in (("nonsense: 1", "nonsense"), ("max-range: abc", "max-range"), ("threads: 0", "threads"),

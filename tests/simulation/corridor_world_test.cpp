@@ -7,14 +7,14 @@
 #include <slamicp/simulation/corridor_world.hpp>
 #include <slamicp/simulation/lidar.hpp>
 #include <slamicp/simulation/map_sampler.hpp>
-#include <slamicp/simulation/scripted_path.hpp>
+#include <slamicp/navigation/spline_path.hpp>
 
 namespace slamicp {
 namespace {
 
 constexpr double robot_radius = 0.3;  // [m]
 
-double clearance(const ScriptedPath& path, const auto& distance_to) {
+double clearance(const SplinePath& path, const auto& distance_to) {
   double least = 1e9;
   for (double travelled = 0.0; travelled <= path.length(); travelled += 0.02)
     least = std::min(least, distance_to(path.at(travelled).translation()));
@@ -24,14 +24,14 @@ double clearance(const ScriptedPath& path, const auto& distance_to) {
 TEST(CorridorWorld, RoutesKeepClearOfWallsAndPillars) {
   const World world = corridor_world();
   for (const Route& way : world.routes)
-    EXPECT_GT(clearance(ScriptedPath(way.waypoints), [&](const Point2& p) { return distance_to_walls(world, p); }),
+    EXPECT_GT(clearance(SplinePath(way.waypoints), [&](const Point2& p) { return distance_to_walls(world, p); }),
               robot_radius + 0.05)
         << way.name;
 }
 
 TEST(CorridorWorld, ObstaclesStandFreeAndDoNotBlockTheReferenceRoute) {
   const World world = corridor_world();
-  const ScriptedPath path(route(world, "reference").waypoints);
+  const SplinePath path(route(world, "reference").waypoints);
   for (const PlacedObstacle& obstacle : corridor_obstacles()) {
     EXPECT_GT(clearance(path, [&](const Point2& p) { return distance(obstacle, p); }), robot_radius) << obstacle.name;
     for (const Cylinder& cylinder : obstacle.cylinders)
@@ -63,7 +63,7 @@ TEST(CorridorWorld, ObstaclesShowAboutAsManyOutliersAsThePaperCounted) {
                                                             {"B2", 29}, {"B3", 43}, {"C1", 23}, {"C2", 12},
                                                             {"C3", 44}, {"D1", 63}, {"D2", 44}, {"D3", 123}};
   const World world = corridor_world();
-  const ScriptedPath path(route(world, "reference").waypoints);
+  const SplinePath path(route(world, "reference").waypoints);
   const LidarModel lidar = hokuyo_utm30lx();
   std::vector<double> without;
   std::vector<double> with;

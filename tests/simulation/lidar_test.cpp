@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -216,6 +217,42 @@ TEST(Lidar, RefusesASweepThatNoRobotMakes) {
   std::vector<double> ranges;
   EXPECT_THROW(true_ranges(room(3.0, 2.0), {}, {2.0, 0.0, 0.0}, hokuyo_utm30lx(), ranges), Error);
   EXPECT_THROW(true_ranges(room(3.0, 2.0), {}, {0.0, 0.0, 3.0}, hokuyo_utm30lx(), ranges), Error);
+}
+
+TEST(Lidar, ARealOneSwingsLosesAndMixesReadings) {
+  LidarModel lidar = hokuyo_utm30lx(0.0);
+  Random random(1);
+  const World world = with_cylinder(room(3.0, 2.0), {{1.5, 0.0}, 0.3});
+  std::vector<double> truth;
+  true_ranges(world, {}, lidar, truth);
+
+  lidar.bias = 0.02;
+  LaserScan seen = scan(world, {}, lidar, random);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i) worst = std::max(worst, std::abs(seen.ranges[i] - truth[i]));
+  EXPECT_GT(worst, 0.015);
+  EXPECT_LE(worst, 0.02 + 1e-6);
+
+  lidar.bias = 0.0;
+  lidar.dropouts = 0.1;
+  seen = scan(world, {}, lidar, random);
+  const auto lost = std::count(seen.ranges.begin(), seen.ranges.end(), 0.0F);
+  EXPECT_NEAR(static_cast<double>(lost), 108.0, 40.0);
+
+  lidar.dropouts = 0.0;
+  lidar.mixed_pixels = 1.0;
+  seen = scan(world, {}, lidar, random);
+  std::size_t between = 0;
+  for (std::size_t i = 0; i + 1 < truth.size(); ++i) {
+    const double reading = static_cast<double>(seen.ranges[i]);
+    const auto [near, far] = std::minmax(truth[i], truth[i + 1]);
+    if (far - near < 0.1) continue;
+    EXPECT_GE(reading, near - 1e-6);
+    EXPECT_LE(reading, far + 1e-6);
+    between += reading > near + 1e-3 && reading < far - 1e-3;
+  }
+  EXPECT_EQ(between, 2U) << "both sides of the cylinder";
+  EXPECT_EQ(real_hokuyo_utm30lx().problem(), "");
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ struct Cloud {
 /// Reads a cloud by its file name's ending:
 /// - `.csv`, `.xyz`, `.txt`: x,y or x,y,z a line, comma or blank; a header is allowed and, where it names columns x and
 ///   y, decides; more columns are ignored with a warning;
-/// - `.pcd`: ascii, binary; `.ply`: ascii, binary_little_endian, binary_big_endian; other fields are ignored.
+/// - `.pcd`: ascii, binary; `.ply`: ascii, binary_little_endian, binary_big_endian; other fields are ignored;
+/// - `.yaml`: a map_server map, see load_occupancy_map: its wall_points.
 ///
 /// It is 2D where there is no z or z is the same everywhere. Points that are not finite are left out, with a warning.
 /// Throws Error with file and line for anything malformed or cut.
@@ -46,7 +47,8 @@ enum class CloudEncoding {
 };
 
 /// Writes by the file name's ending: `.csv` (x,y), `.xyz`, `.txt` (x y), `.pcd`, `.ply`. PCD and PLY get z = 0, which
-/// their viewers need. `.csv` and `.xyz` are always text of 12 significant digits: 1e-6 m at 10 km. Throws Error.
+/// their viewers need. `.csv` and `.xyz` are always text of 12 significant digits: 1e-6 m at 10 km. A 2D cloud also as
+/// `.yaml`, a map_server map of 5 cm cells: occupied where there are points, unknown elsewhere. Throws Error.
 void save_cloud(const std::filesystem::path& path, const PointCloud2& points,
                 CloudEncoding encoding = CloudEncoding::ascii);
 void save_cloud(const std::filesystem::path& path, const PointCloud3& points,

@@ -6,8 +6,9 @@
 namespace slamicp {
 
 enum class FileKind {
-  scan_log,  ///< open_scan_log reads it
-  cloud,     ///< load_cloud reads it
+  scan_log,       ///< open_scan_log reads it
+  cloud,          ///< load_cloud reads it
+  occupancy_map,  ///< load_occupancy_map reads it; so does load_cloud, its walls as points
 };
 
 /// What a file holds, by its ending; a `.csv` may be either, and its first full line tells: a point has two or three

@@ -14,6 +14,9 @@
 
 namespace slamicp {
 
+/// In place of the names of all scan topics.
+inline constexpr const char* every_topic = "*";
+
 /// What a log does not say about itself.
 struct ScanLogOptions {
   /// Field of view, first beam to last, centred ahead [deg], (0, 360]. Only for ranges CSV; wrong by half a degree
@@ -25,7 +28,7 @@ struct ScanLogOptions {
   std::optional<Pose2> laser_offset = std::nullopt;
   /// Which topics hold scans, for recordings of ROS. Empty: the only one there is, or the one named `scan`; where that
   /// does not decide, Error with the names to choose from. Several: one log of all their scans, each with its `laser`
-  /// counted in this order.
+  /// counted in this order; every_topic: all there are.
   std::vector<std::string> scan_topics = {};
   /// Which topic holds odometry (nav_msgs/Odometry). Empty: the only one there is, or the one named `odom`; else tf.
   std::string odometry_topic = {};

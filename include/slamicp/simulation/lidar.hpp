@@ -21,6 +21,11 @@ struct LidarModel {
   double sweep_time = 0.0;       ///< from the first beam to the last [s]; 0: all beams at one instant
   double range_noise = 0.01;     ///< standard deviation of a reading [m], the same at all ranges; 0 for exact ranges
   Pose2 T_robot_laser = {};      ///< where it sits on the robot
+  double noise_per_metre = 0.0;  ///< what is added to range_noise for each metre of range [m/m]
+  double bias = 0.0;             ///< largest systematic error [m], >= 0: the readings swing around the truth ...
+  double bias_period = 7.0;      ///< ... once in so many metres of range [m], > 0
+  double dropouts = 0.0;         ///< share of readings that are lost, in [0, 1]
+  double mixed_pixels = 0.0;     ///< share of readings beside an edge that fall between near and far, in [0, 1]
 
   /// The first rule broken, in words; empty where all is well.
   std::string problem() const;
@@ -28,6 +33,10 @@ struct LidarModel {
 
 /// The Hokuyo UTM-30LX of the paper's robot: 1,081 beams over 270 deg, 0.1 to 30 m, 40 Hz.
 LidarModel hokuyo_utm30lx(double range_noise = 0.01);
+
+/// The same as it really is: noise that grows from 10 mm with the range, 10 mm of systematic error, readings lost and
+/// mixed at edges, and a sweep that takes 25 ms. Of the size that its data sheet and users report.
+LidarModel real_hokuyo_utm30lx();
 
 /// The exact distance that each beam travels to what it meets first: walls, pillars and obstacles [m]; infinity where
 /// it meets nothing. `ranges` keeps its memory from scan to scan.
@@ -43,8 +52,8 @@ void true_ranges(const World& world, const Pose2& T_map_laser, const LidarModel&
 void true_ranges(const World& world, const Pose2& T_map_laser, const Pose2& T_first_last, const LidarModel& lidar,
                  std::vector<double>& ranges);
 
-/// One sweep with noise, the robot standing still meanwhile. No return is 0. Draws one number a beam whatever it meets,
-/// so the same seed gives the same noise with and without an obstacle. The stamp is 0.
+/// One sweep with noise, the robot standing still meanwhile. No return is 0. Draws as many numbers a beam whatever it
+/// meets, so the same seed gives the same noise with and without an obstacle. The stamp is 0.
 LaserScan scan(const World& world, const Pose2& T_map_robot, const LidarModel& lidar, Random& random);
 
 /// The same while the robot moves.

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <slamicp/localization/fix.hpp>
+#include <slamicp/navigation/spline_path.hpp>
+#include <slamicp/obstacles/find_obstacles.hpp>
+
+namespace slamicp {
+
+/// What an obstacle means for the way ahead.
+enum class Decision {
+  ignore,  ///< beside the way, or far
+  slow,    ///< on the way: go slower the nearer it is
+  stop,    ///< on the way and near: stand
+};
+const char* to_string(Decision decision) noexcept;
+
+struct ObstacleEvaluationOptions {
+  double corridor_half_width = 0.35;  ///< what the robot sweeps to either side of the path, with its margin [m], > 0
+  double slow_distance = 1.5;         ///< along the path, from the robot's centre [m], > stop_distance
+  double stop_distance = 0.6;         ///< [m], > 0
+  double braking = 1.0;               ///< with which a stop in time is planned [m/s^2], > 0
+  /// Scans in a row that must show something on the way before the robot slows down, so that a stray reading stops
+  /// nobody; a delay of so many scans. At least 1.
+  int confirmations = 3;
+  /// Scans in a row without it before the robot goes on. At least 1.
+  int releases = 5;
+
+  /// The first rule broken, in words a user can act on; empty if none.
+  std::string problem() const;
+};
+
+/// One obstacle beside or on the way.
+struct EvaluatedObstacle {
+  Obstacle obstacle;
+  double ahead = 0.0;        ///< its nearest point, along the path from the robot [m]; infinity where it is not ahead
+  double cross_track = 0.0;  ///< of the point that is nearest to the path, positive to the left [m]
+  Decision decision = Decision::ignore;
+};
+
+/// Judges obstacles by the path that the robot is about to drive: the last subtask of the paper's agent (Figure 9).
+class ObstacleEvaluation {
+ public:
+  /// Throws Error with options.problem().
+  explicit ObstacleEvaluation(const ObstacleEvaluationOptions& options = {});
+
+  /// @param travelled  where the robot is on the path [m]
+  /// O(points of the obstacles).
+  void update(const SplinePath& path, double travelled, const Fix& fix, std::span<const Obstacle> obstacles);
+
+  /// Those of the last update, as they came.
+  const std::vector<EvaluatedObstacle>& obstacles() const noexcept { return evaluated_; }
+  /// What the robot should do, confirmed over several scans.
+  Decision decision() const noexcept { return decision_; }
+  /// What that leaves of its speed [m/s]: infinity to ignore, 0 to stop.
+  double speed_limit() const noexcept { return speed_limit_; }
+
+ private:
+  EvaluatedObstacle judged(const SplinePath& path, double travelled, const Fix& fix, const Obstacle& obstacle) const;
+
+  ObstacleEvaluationOptions options_;
+  std::vector<EvaluatedObstacle> evaluated_;
+  Decision decision_ = Decision::ignore;
+  double speed_limit_;
+  int in_a_row_ = 0;  // scans that show something on the way
+  int clear_ = 0;     // scans that do not
+};
+
+}  // namespace slamicp

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <slamicp/agent/obstacle_evaluation.hpp>
+#include <slamicp/error.hpp>
+
+namespace slamicp {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double path_step = 0.05;  // of the way ahead that points are held against [m]
+
+}  // namespace
+
+const char* to_string(Decision decision) noexcept {
+  switch (decision) {
+    case Decision::ignore:
+      return "ignore";
+    case Decision::slow:
+      return "slow";
+    case Decision::stop:
+      return "stop";
+  }
+  return "unknown";
+}
+
+std::string ObstacleEvaluationOptions::problem() const {
+  if (!(corridor_half_width > 0.0)) return "corridor_half_width must be above 0 m: half of the robot and a margin";
+  if (!(stop_distance > 0.0)) return "stop_distance must be above 0 m";
+  if (!(slow_distance > stop_distance)) return "slow_distance must be above stop_distance";
+  if (!(braking > 0.0)) return "braking must be above 0 m/s^2";
+  if (confirmations < 1 || releases < 1) return "confirmations and releases must be at least 1";
+  return {};
+}
+
+ObstacleEvaluation::ObstacleEvaluation(const ObstacleEvaluationOptions& options)
+    : options_(options), speed_limit_(infinity) {
+  if (const std::string problem = options.problem(); !problem.empty())
+    throw Error(problem, "ObstacleEvaluationOptions");
+}
+
+EvaluatedObstacle ObstacleEvaluation::judged(const SplinePath& path, double travelled, const Fix& fix,
+                                             const Obstacle& obstacle) const {
+  EvaluatedObstacle result{obstacle, infinity, infinity, Decision::ignore};
+  const double reach = options_.slow_distance + options_.corridor_half_width;
+  // Far from all of the way ahead: nothing to work out.
+  const Point2 robot = fix.pose.translation();
+  const double size = std::hypot(obstacle.box.width, obstacle.box.depth);
+  if ((obstacle.box.centre - robot).norm() - 0.5 * size > reach + options_.corridor_half_width) return result;
+  for (const int point : obstacle.points) {
+    const Point2 in_map = fix.pose * fix.scan.in_robot[static_cast<std::size_t>(point)];
+    const PathPlace place = path.nearest(in_map, travelled, travelled + reach);
+    if (std::abs(place.cross_track) < std::abs(result.cross_track)) result.cross_track = place.cross_track;
+    // At the ends of the stretch the nearest place is not abreast: the whole distance counts.
+    const double aside = (path.at(place.distance).translation() - in_map).norm();
+    if (aside < options_.corridor_half_width) result.ahead = std::min(result.ahead, place.distance - travelled);
+  }
+  if (result.ahead < options_.stop_distance)
+    result.decision = Decision::stop;
+  else if (result.ahead < options_.slow_distance)
+    result.decision = Decision::slow;
+  return result;
+}
+
+void ObstacleEvaluation::update(const SplinePath& path, double travelled, const Fix& fix,
+                                std::span<const Obstacle> obstacles) {
+  evaluated_.clear();
+  Decision worst = Decision::ignore;
+  double nearest = infinity;
+  for (const Obstacle& obstacle : obstacles) {
+    evaluated_.push_back(judged(path, travelled, fix, obstacle));
+    worst = std::max(worst, evaluated_.back().decision);
+    nearest = std::min(nearest, evaluated_.back().ahead);
+  }
+  in_a_row_ = worst == Decision::ignore ? 0 : in_a_row_ + 1;
+  clear_ = worst == Decision::ignore ? clear_ + 1 : 0;
+  if (in_a_row_ >= options_.confirmations) {
+    decision_ = worst;
+    // So slow that braking ends before the distance to keep.
+    speed_limit_ = std::sqrt(2.0 * options_.braking * std::max(0.0, nearest - options_.stop_distance));
+  } else if (clear_ >= options_.releases) {
+    decision_ = Decision::ignore;
+    speed_limit_ = infinity;
+  }
+}
+
+}  // namespace slamicp
