@@ -8,6 +8,7 @@
 
 #include <slamicp/error.hpp>
 #include <slamicp/evaluation/trajectory_error.hpp>
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/io/map_file.hpp>
 #include <slamicp/io/trajectory_file.hpp>
 #include <slamicp/localization/localizer.hpp>
@@ -118,7 +119,6 @@ void run(const Words& words) {
   record.log = "the robot's second visit";
   record.map_file = "map.pcd";
   const TrajectoryError error = absolute_error(record.trajectory, truth);
-  constexpr double deg_per_rad = 180.0 / std::numbers::pi;
   talk(format("pose      error %.1f mm, %.3f deg mean; %.1f mm, %.3f deg at 95 %%, over %zu scans",
               1e3 * error.translation.mean, deg_per_rad * error.rotation.mean, 1e3 * error.translation.p95,
               deg_per_rad * error.rotation.p95, truth.size()));

@@ -6,6 +6,7 @@
 
 #include <slamicp/evaluation/relation_error.hpp>
 #include <slamicp/evaluation/trajectory_error.hpp>
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/io/relations_file.hpp>
 #include <slamicp/io/trajectory_file.hpp>
 
@@ -66,7 +67,7 @@ void against_truth(const Words& words) {
   if (relative)
     talk(format("relative error over %g m (%.2f %%, %.3f deg/m): ", words.distance,
                 100.0 * relative->translation.mean / words.distance,
-                relative->rotation.mean * 57.29577951308232 / words.distance) +
+                relative->rotation.mean * deg_per_rad / words.distance) +
          relative->brief());
   else
     talk(format("no relative error: the true path is shorter than %g m", words.distance));

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <set>
 
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/io/cloud_file.hpp>
 #include <slamicp/io/file_kind.hpp>
 #include <slamicp/io/occupancy_map_file.hpp>
@@ -17,8 +18,6 @@
 
 namespace slamicp::command {
 namespace {
-
-constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 
 struct Words {
   std::string file, json;

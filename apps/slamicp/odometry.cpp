@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <slamicp/error.hpp>
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/io/picture.hpp>
 #include <slamicp/io/trajectory_file.hpp>
 #include <slamicp/mapping/scan_odometry.hpp>
@@ -83,7 +84,7 @@ void run(const Words& words) {
                           {"last_pose", to_json(trajectory.back().pose)}});
   Talk{words.json}(format(
       "%zu scans, %d unmatched; %.1f m of path, the end is %.3f m and %.2f deg from the start; %.1f s", log.size(),
-      odometry.unmatched(), length_of(trajectory), back.translation, back.rotation * 57.29577951308232, seconds));
+      odometry.unmatched(), length_of(trajectory), back.translation, back.rotation * deg_per_rad, seconds));
 }
 
 }  // namespace

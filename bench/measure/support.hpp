@@ -19,14 +19,13 @@
 #include <string>
 #include <vector>
 
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/io/output_file.hpp>
 #include <slamicp/io/picture.hpp>
 
 namespace slamicp::measure {
 
 using Json = nlohmann::ordered_json;
-
-inline constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 
 /// printf into a string.
 [[gnu::format(printf, 1, 2)]] inline std::string text(const char* pattern, ...) {

@@ -55,7 +55,7 @@ Spread spread_of(const std::vector<double>& values) {
 }
 
 bool is_failure(const PoseDistance& error) {
-  return !(error.translation <= 0.1 && measure::deg_per_rad * error.rotation <= 1.0);
+  return !(error.translation <= 0.1 && deg_per_rad * error.rotation <= 1.0);
 }
 
 void judge(const Scene& scene, std::span<const Estimate> estimates, Row& row) {
@@ -65,7 +65,7 @@ void judge(const Scene& scene, std::span<const Estimate> estimates, Row& row) {
   for (std::size_t k = 0; k < estimates.size(); ++k) {
     const PoseDistance error = distance(estimates[k].pose, scene.trials[k].truth);
     error_mm.push_back(1e3 * error.translation);
-    rotation_deg.push_back(measure::deg_per_rad * error.rotation);
+    rotation_deg.push_back(deg_per_rad * error.rotation);
     iterations.push_back(estimates[k].iterations);
     row.failures += is_failure(error) ? 1U : 0U;
   }

@@ -7,6 +7,7 @@
 
 #include <slamicp/error.hpp>
 #include <slamicp/evaluation/trajectory_error.hpp>
+#include <slamicp/geometry/angle.hpp>
 
 #include "evaluation/stamp_index.hpp"
 
@@ -118,14 +119,13 @@ std::string TrajectoryErrorOptions::problem() const {
 
 std::string TrajectoryError::brief() const {
   constexpr double to_mm = 1e3;
-  constexpr double to_deg = 57.29577951308232;
   char text[240];
   std::snprintf(text, sizeof text,
                 "translation mean %.1f, rmse %.1f, p95 %.1f, max %.1f mm; rotation mean %.3f, rmse %.3f, p95 %.3f, "
                 "max %.3f deg; %zu errors, %zu poses unmatched",
                 to_mm * translation.mean, to_mm * translation.rmse, to_mm * translation.p95, to_mm * translation.max,
-                to_deg * rotation.mean, to_deg * rotation.rmse, to_deg * rotation.p95, to_deg * rotation.max,
-                translation.count, unmatched);
+                deg_per_rad * rotation.mean, deg_per_rad * rotation.rmse, deg_per_rad * rotation.p95,
+                deg_per_rad * rotation.max, translation.count, unmatched);
   return text;
 }
 

@@ -3,14 +3,13 @@
 #include <cstdio>
 #include <numbers>
 
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/geometry/pose.hpp>
 
 namespace slamicp {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double deg_per_rad = 180.0 / pi;
-
 /// sin(a)/a and (1 - cos(a))/a, by their series where a is small.
 struct SincPair {
   double sinc;

@@ -24,23 +24,23 @@ std::optional<Block> block_at(std::string_view bytes, std::size_t at) noexcept {
 }
 
 /// Takes the first field off; nothing where it is broken.
-struct Field {
+struct BagField {
   std::string_view name, value;
 };
-std::optional<Field> take_field(std::string_view& fields) noexcept {
+std::optional<BagField> take_field(std::string_view& fields) noexcept {
   const std::optional<Block> block = block_at(fields, 0);
   if (!block || block->cut) return std::nullopt;
   const std::size_t equals = block->bytes.find('=');
   if (equals == std::string_view::npos) return std::nullopt;
   fields.remove_prefix(length_size + block->bytes.size());
-  return Field{block->bytes.substr(0, equals), block->bytes.substr(equals + 1)};
+  return BagField{block->bytes.substr(0, equals), block->bytes.substr(equals + 1)};
 }
 
 /// What the record is; nothing where the header is broken.
 std::optional<BagOp> op_of(std::string_view header) noexcept {
   std::optional<BagOp> op;
   while (!header.empty()) {
-    const std::optional<Field> field = take_field(header);
+    const std::optional<BagField> field = take_field(header);
     if (!field) return std::nullopt;
     if (field->name == "op" && field->value.size() == 1) op = static_cast<BagOp>(field->value[0]);
   }
@@ -62,7 +62,7 @@ void mend_index_length(BagRecord& record, std::string_view rest) noexcept {
 
 std::optional<std::string_view> bag_field(std::string_view fields, std::string_view name) noexcept {
   while (!fields.empty()) {
-    const std::optional<Field> field = take_field(fields);
+    const std::optional<BagField> field = take_field(fields);
     if (!field) return std::nullopt;
     if (field->name == name) return field->value;
   }

@@ -5,13 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include <slamicp/geometry/angle.hpp>
+
 #include "io/planar.hpp"
 #include "io/text.hpp"
 
 namespace slamicp {
 namespace {
 
-constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 constexpr double most_tilt_deg = 1.0;  // at 10 m a beam is 17 cm off its plane
 
 std::string between(const std::string& laser, const std::string& base) { return "'" + laser + "' to '" + base + "'"; }

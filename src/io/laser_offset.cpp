@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <slamicp/geometry/angle.hpp>
+
 namespace slamicp {
 namespace {
-
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

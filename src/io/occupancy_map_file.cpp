@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <slamicp/error.hpp>
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/io/occupancy_map_file.hpp>
 #include <slamicp/io/output_file.hpp>
 
@@ -12,8 +13,6 @@
 
 namespace slamicp {
 namespace {
-
-constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 
 OccupancyImage load_image(const OccupancyMapHeader& header, const std::filesystem::path& yaml) {
   const std::filesystem::path path = yaml.parent_path() / header.image;  // or image alone, where it is absolute

@@ -14,7 +14,7 @@
 namespace slamicp {
 namespace {
 
-struct Field {
+struct PcdField {
   std::string name;
   std::size_t size = 4;   ///< bytes of one value
   char type = 'F';        ///< F real, I whole, U natural
@@ -22,7 +22,7 @@ struct Field {
 };
 
 struct Header {
-  std::vector<Field> fields;
+  std::vector<PcdField> fields;
   std::uint64_t width = 0;
   std::uint64_t height = 1;
   std::optional<std::uint64_t> points;
@@ -100,7 +100,7 @@ class PcdReader {
       fail(std::string(key) + " has " + text::count_of(values.size(), "value") + ", FIELDS has " +
            std::to_string(header_.fields.size()));
     for (std::size_t i = 0; i < values.size(); ++i) {
-      Field& field = header_.fields[i];
+      PcdField& field = header_.fields[i];
       if (key == "SIZE") field.size = static_cast<std::size_t>(natural(values[i], key, 8));
       if (key == "COUNT") field.count = static_cast<std::size_t>(natural(values[i], key, 1'000'000));
       if (key != "TYPE") continue;
@@ -119,7 +119,7 @@ class PcdReader {
   /// Where x, y, z stand in a point: the value's number (ascii) and its byte (binary).
   void find_coordinates() {
     std::array<bool, 3> found{};
-    for (const Field& field : header_.fields) {
+    for (const PcdField& field : header_.fields) {
       const std::size_t axis = field.name == "x" ? 0 : field.name == "y" ? 1 : field.name == "z" ? 2 : 3;
       if (axis < 3) {
         found[axis] = true;
@@ -134,7 +134,7 @@ class PcdReader {
     has_z_ = found[2];
   }
 
-  binary::Kind kind_of(const Field& field) const {
+  binary::Kind kind_of(const PcdField& field) const {
     const bool fits = field.count >= 1 && (field.size == 4 || field.size == 8 ||
                                            (field.type != 'F' && (field.size == 1 || field.size == 2)));
     if (!fits) fail("field " + field.name + " has no number of a known SIZE and COUNT");

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include <slamicp/error.hpp>
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/io/ranges_csv.hpp>
 
 #include "io/log_checks.hpp"
@@ -10,7 +11,6 @@
 namespace slamicp {
 namespace {
 
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
 constexpr std::size_t fewest_beams = 4;  // fewer is a cloud of points, not a lidar
 
 struct Row {

@@ -6,12 +6,11 @@
 #include <numbers>
 
 #include <slamicp/error.hpp>
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/obstacles/find_obstacles.hpp>
 
 namespace slamicp {
 namespace {
-
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 /// The widest gap that one surface can leave between two beams `turn` apart, the first of which read `range`:
 /// D_max = r sin(turn) / sin(lambda - turn) + 3 sigma (Borges, Aldon 2004).

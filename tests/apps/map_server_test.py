@@ -106,7 +106,8 @@ class MapServer(CommandTest):
         self.assertEqual(states(self.folder / "again.yaml"), expected)
         grey = {OCCUPIED: 0, FREE: 254, UNKNOWN: 205}
         _, rows = pixels(self.folder / "again.pgm", "trinary")
-        self.assertEqual([[level for level, _ in row] for row in rows], [[grey[cell] for cell in row] for row in expected])
+        self.assertEqual([[level for level, _ in row] for row in rows],
+                         [[grey[cell] for cell in row] for row in expected])
 
     def random_image(self, draw, kind):
         width, height = draw.randint(1, 30), draw.randint(1, 30)
@@ -134,7 +135,9 @@ class MapServer(CommandTest):
 
     def test_every_image_and_mode_is_read_as_documented(self):
         draw = random.Random(7)
-        kinds = ["L pgm", "P2", "P5 16"] + (["L png", "RGB png", "RGBA png", "P png", "LA png", "1 png"] if self.reads_png() else [])
+        kinds = ["L pgm", "P2", "P5 16"]
+        if self.reads_png():
+            kinds += ["L png", "RGB png", "RGBA png", "P png", "LA png", "1 png"]
         for round_number in range(60):
             kind = kinds[round_number % len(kinds)]
             mode = draw.choice(("trinary", "scale", "raw", None))

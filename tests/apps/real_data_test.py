@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The command on real logs and clouds."""
+import math
 import unittest
 
-from command import CommandTest, data_dir
+from command import METRICS_HEADER, CommandTest, data_dir
 
 DATA = data_dir()
 
@@ -49,6 +50,29 @@ class RealData(CommandTest):
         for fact in ("odometry_path", "duration", "return_share", "angle_min"):
             self.assertAlmostEqual(carmen[fact], bag[fact], places=4)
         self.assertAlmostEqual(carmen["laser_offset"]["x"], bag["laser_offset"]["x"], places=4)
+
+    def test_birmingham_is_localized_in_the_map_of_another_run(self):
+        hokuyo = DATA / "hokuyo"
+        self.summary("map", hokuyo / "birmingham_trace0.bag", "--out", "trace0.pcd")
+        self.summary("map", hokuyo / "birmingham_trace1.bag", "--out", "trace1.pcd", "--trajectory", "mapped.tum")
+        # The robot goes on where trace0 had not been, so the map grows on the way.
+        told = self.summary("localize", hokuyo / "birmingham_trace1.bag", "--map", "trace0.pcd", "--initial-pose",
+                            "-0.4,0,-0.06", "--outlier-distance", "0.05", "--update-map", "grown.pcd", "--trajectory",
+                            "found.tum", "--metrics", "found.csv")
+        self.assertEqual(told["scans"], 906)
+        rows = self.table("found.csv", METRICS_HEADER)
+        good = [row for row in rows if row["stop"] == "converged" and 2 * int(row["inliers"]) >= int(row["points"])]
+        self.assertGreaterEqual(len(good), 0.99 * 906)
+        apart = self.summary("evaluate", "found.tum", "--truth", "mapped.tum", "--align", "se2")["absolute"]
+        self.assertLess(apart["translation"]["max"], 0.3)
+        self.assertLess(math.degrees(apart["rotation"]["max"]), 5.0)
+
+    def test_odometry_without_wheels_runs_through(self):
+        for bag, words, scans in (("hokuyo/scan_tools_demo.bag", (), 360),
+                                  ("obstacles/leg_negative_2.bag", ("--scan-topic", "left_scan"), 435)):
+            told = self.summary("odometry", DATA / bag, *words)
+            self.assertEqual((told["scans"], told["unmatched_scans"]), (scans, 0))
+            self.assertLess(told["end_to_start"]["translation"], 0.6)
 
     def test_fr079_is_mapped_and_found_again_in_its_map(self):
         scans = 0

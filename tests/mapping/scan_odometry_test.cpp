@@ -24,31 +24,32 @@ const SimulatedRun& drive() {
 /// How far the motion from the first scan to the last is off [m].
 PoseDistance drift(const Trajectory& trajectory) {
   const Trajectory& truth = drive().truth;
-  const Pose2 moved = truth.front().pose.inverse() * truth.back().pose;
+  const Pose2 moved = truth.front().pose.inverse() * truth[trajectory.size() - 1].pose;
   return distance(trajectory.front().pose.inverse() * trajectory.back().pose, moved);
 }
 
-Trajectory follow(const ScanOdometryOptions& options) {
+Trajectory follow(const ScanOdometryOptions& options, std::size_t scans) {
   ScanOdometry odometry(options);
-  for (LaserScan scan : drive().scans) {
+  for (std::size_t k = 0; k < scans; ++k) {
+    LaserScan scan = drive().scans[k];
     scan.T_odom_robot = Pose2{99.0, 3.0, 1.0};  // wheels that block
     odometry.add(scan);
   }
   EXPECT_EQ(odometry.unmatched(), 0);
-  EXPECT_EQ(odometry.trajectory().size(), drive().scans.size());
+  EXPECT_EQ(odometry.trajectory().size(), scans);
   return odometry.trajectory();
 }
 
 TEST(ScanOdometryTest, FollowsTheRobotWithoutWheelsByALocalMap) {
-  const PoseDistance off = drift(follow({.map_radius = 8.0}));
+  const PoseDistance off = drift(follow({.map_radius = 8.0}, drive().scans.size()));
   EXPECT_LT(off.translation, 0.05);
   EXPECT_LT(off.rotation, 0.01);
 }
 
 TEST(ScanOdometryTest, FollowsTheRobotScanToScan) {
-  const PoseDistance off = drift(follow({.reference = OdometryReference::previous_scan}));
-  EXPECT_LT(off.translation, 0.6);
-  EXPECT_LT(off.rotation, 0.1);
+  const PoseDistance off = drift(follow({.reference = OdometryReference::previous_scan}, 60));
+  EXPECT_LT(off.translation, 0.15);
+  EXPECT_LT(off.rotation, 0.02);
 }
 
 TEST(ScanOdometryTest, TheLocalMapStaysLocal) {

@@ -319,7 +319,7 @@ Spread spread_of(const IndexedPoints<2>& index, const PointCloud2& scan, const P
 /// The spreads of many matches in good view of the map.
 std::vector<Spread> any_spreads(int count, Method method, int max_iterations) {
   std::vector<Spread> all;
-  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(count); ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seeds(static_cast<std::uint64_t>(count)); ++seed) {
     Random random(seed + 100);
     const World world(random, random.point<2>(seed % 2 == 0 ? 0.0 : 500.0));
     const IndexedPoints<2> index = any_version(random, world.map, {});
