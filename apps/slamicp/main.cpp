@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
   slamicp::command::add_align(program);
   slamicp::command::add_odometry(program);
   slamicp::command::add_evaluate(program);
+  slamicp::command::add_experiment(program);
   add_help(program);
   try {
     program.parse(argc, argv);

@@ -15,5 +15,6 @@ void add_localize(CLI::App& program);
 void add_align(CLI::App& program);
 void add_odometry(CLI::App& program);
 void add_evaluate(CLI::App& program);
+void add_experiment(CLI::App& program);
 
 }  // namespace slamicp::command

@@ -10,7 +10,8 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ.get("SLAMICP", "slamicp")
-VERBS = ("demo", "info", "convert", "simulate", "map", "localize", "align", "odometry", "evaluate")
+VERBS = ("demo", "info", "convert", "simulate", "map", "localize", "align", "odometry", "evaluate",
+         "experiment")
 
 OUTLIERS_HEADER = "scan,stamp,beam,x,y,distance,kind"
 METRICS_HEADER = ("scan,stamp,x,y,theta,stop,iterations,points,inliers,outliers,mean_inlier_distance,time_us")

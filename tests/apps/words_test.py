@@ -19,6 +19,7 @@ OPTIONS = {
     "align": ("SOURCE", "TARGET", "--method", "--initial-pose", "--voxel", "--transform", "--outliers", "--merged"),
     "odometry": ("LOG", "--trajectory", "--picture", "--reference", "--map-radius", "--wheels", "--no-deskew",
                  "--method", "--max-correspondence-distance", "--scan-topic", "--config"),
+    "experiment": ("NAME", "--out", "--seed", "--runs", "--speeds", "--obstacles", "--every", "--no-times"),
     "evaluate": ("TRAJECTORY", "--truth", "--align", "--relations", "--relative-distance"),
 }
 
