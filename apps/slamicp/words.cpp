@@ -78,9 +78,11 @@ void add_log_options(CLI::App& verb, ScanLogOptions& log) {
 }
 
 void add_motion_options(CLI::App& verb, MotionOptions& options) {
-  verb.add_flag("!--no-odometry", options.use_odometry, "predict by the last fixes, not by the log's odometry");
-  verb.add_flag("!--no-deskew", options.deskew,
-                "take each scan as if measured all at once, though the log says it was not");
+  verb.add_flag_callback(
+      "--no-odometry", [&] { options.use_odometry = false; }, "predict by the last fixes, not by the log's odometry");
+  verb.add_flag_callback(
+      "--no-deskew", [&] { options.deskew = false; },
+      "take each scan as if measured all at once, though the log says it was not");
 }
 
 void add_method(CLI::App& verb, Method& method) {

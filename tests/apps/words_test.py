@@ -21,6 +21,7 @@ OPTIONS = {
                  "--method", "--max-correspondence-distance", "--scan-topic", "--config"),
     "experiment": ("NAME", "--out", "--seed", "--runs", "--speeds", "--obstacles", "--every", "--no-times"),
     "evaluate": ("TRAJECTORY", "--truth", "--align", "--relations", "--relative-distance"),
+    "experiment": ("NAME", "--out", "--seed", "--runs", "--speeds", "--obstacles", "--every", "--no-times"),
 }
 
 

@@ -82,7 +82,8 @@ void add_experiment(CLI::App& program) {
                    "show the agents every so many-th scan (table1): the original one compares by brute force")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  verb->add_flag("!--no-times", words->times, "leave out what differs from machine to machine");
+  verb->add_flag_callback(
+      "--no-times", [words] { words->times = false; }, "leave out what differs from machine to machine");
   add_json(*verb, words->json);
   add_example(*verb, "slamicp experiment table1 --out table1");
   verb->callback([words] { run(*words); });

@@ -19,7 +19,7 @@ struct ExperimentWords {
   std::string name, out, json;
   std::uint64_t seed = 1;
   int runs = 3;
-  std::size_t every = 50;
+  std::size_t every = 75;
   std::vector<double> speeds = {0.15, 0.25, 0.35, 0.45, 0.55};
   std::vector<std::string> obstacles;  // empty: those of the paper's experiment
   bool times = true;

@@ -146,7 +146,7 @@ void draw_placements(const ExperimentSite& site, char kind, const std::string& w
       at = cylinder.centre;
       first = false;
     }
-    picture.label(at + Point2(0.35, 0.15), obstacle.name);
+    picture.label(at + Point2(0.3, at.y() > 1.25 ? -0.35 : 0.15), obstacle.name);  // off the walls
   }
   figures.add(std::string("5") + kind, picture, what + ", at three places");
 }

@@ -23,7 +23,7 @@ std::span<const PaperTable1Row> paper_table1() noexcept;
 struct Table1Options {
   std::uint64_t seed = 1;  ///< of the first run; each further one has the next
   int runs = 3;            ///< with each obstacle, at least 1
-  std::size_t every = 50;  ///< of so many scans the agents are shown one, at least 1; the original ones are slow
+  std::size_t every = 75;  ///< of so many scans the agents are shown one, at least 1; the original ones are slow
 
   /// The first rule broken, in words; empty where all is well.
   std::string problem() const;
