@@ -15,7 +15,7 @@ set(bench_dir ${PROJECT_SOURCE_DIR}/bench/slamicp_bench)
 file(GLOB bench_sources CONFIGURE_DEPENDS ${bench_dir}/*.cpp)
 list(REMOVE_ITEM bench_sources ${bench_dir}/pcl.cpp ${bench_dir}/mrpt.cpp)
 add_executable(slamicp_bench ${bench_sources})
-set_target_properties(slamicp_bench PROPERTIES OUTPUT_NAME slamicp-bench)
+set_target_properties(slamicp_bench PROPERTIES OUTPUT_NAME slamicp-bench UNITY_BUILD OFF)
 target_include_directories(slamicp_bench PRIVATE ${PROJECT_SOURCE_DIR}/bench)
 target_link_libraries(slamicp_bench PRIVATE
   slamicp_io CLI11::CLI11 nlohmann_json::nlohmann_json nanoflann::nanoflann Threads::Threads)

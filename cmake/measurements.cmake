@@ -1,15 +1,15 @@
-# bench/measure/NAME.cpp becomes the program measure_NAME, run by `scripts/measure NAME`. Built on demand, and
-# together with the tests so that it cannot rot.
+# bench/measure/NAME.cpp becomes the program measure_NAME, run by `scripts/measure NAME`. Built on demand; scripts/test
+# builds them all (the target slamicp_measurements) so that they cannot rot.
 find_package(nlohmann_json REQUIRED)  # their results, for machines
 file(GLOB measurement_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/measure/*.cpp)
+add_custom_target(slamicp_measurements)
 foreach(source IN LISTS measurement_sources)
   get_filename_component(name ${source} NAME_WE)
   add_executable(measure_${name} ${source})
   target_link_libraries(measure_${name} PRIVATE slamicp_io nlohmann_json::nlohmann_json)
   slamicp_settings_for(measure_${name})
-  if(NOT SLAMICP_BUILD_TESTS)
-    set_target_properties(measure_${name} PROPERTIES EXCLUDE_FROM_ALL ON)
-  endif()
+  set_target_properties(measure_${name} PROPERTIES EXCLUDE_FROM_ALL ON UNITY_BUILD OFF)
+  add_dependencies(slamicp_measurements measure_${name})
 endforeach()
 
 option(SLAMICP_BUILD_BENCH "Build slamicp-bench, the comparison with peers (nanoflann; PCL and MRPT where found)" OFF)

@@ -72,6 +72,21 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '&')
+      safe += "&amp;";
+    else if (c == '<')
+      safe += "&lt;";
+    else if (c == '>')
+      safe += "&gt;";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
 std::string format(const char* pattern, ...) {
   char text[512];
   va_list arguments;

@@ -65,6 +65,9 @@ class Stopwatch {
 /// The middle value; 0 of none.
 double median(std::vector<double> values);
 
+/// A text as HTML shows it.
+std::string escaped(const std::string& text);
+
 /// printf into a string.
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <slamicp/error.hpp>
 #include <slamicp/io/chart.hpp>
-#include <slamicp/io/output_file.hpp>
 
 #include "io/chart_layout.hpp"
-#include "io/text.hpp"
 
 namespace slamicp {
 
@@ -37,14 +35,7 @@ Chart& Chart::mark(double x, std::string text) {
 std::string Chart::svg() const { return drawing::to_svg(drawing::lay_out(*this)); }
 
 void Chart::save(const std::filesystem::path& path) const {
-  const std::string ending = text::ending_of(path);
-  if (ending == ".svg")
-    write_file(path, svg());
-  else if (ending == ".png")
-    write_file(path, drawing::to_png(drawing::lay_out(*this), options_.png_scale, text::name_of(path)));
-  else
-    throw Error("ending " + text::quoted(ending) + " is of no picture that slamicp writes", text::name_of(path),
-                "name it .svg or .png");
+  drawing::save(drawing::lay_out(*this), options_.png_scale, path);
 }
 
 }  // namespace slamicp

@@ -10,10 +10,6 @@
 namespace slamicp::drawing {
 namespace {
 
-constexpr Colour ink{45, 50, 58};
-constexpr Colour faint_ink{105, 112, 122};
-constexpr Colour grid_line{228, 231, 236};
-constexpr Colour axis_line{190, 196, 204};
 constexpr Colour mark_line{120, 126, 136};
 
 constexpr double left_margin = 62.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <variant>
@@ -72,12 +73,21 @@ struct Drawing {
   std::vector<Command> commands;
 };
 
+// The colours of what frames a picture.
+inline constexpr Colour ink{45, 50, 58};
+inline constexpr Colour faint_ink{105, 112, 122};
+inline constexpr Colour grid_line{228, 231, 236};
+inline constexpr Colour axis_line{190, 196, 204};
+
 Drawing lay_out(const Picture& picture);
 
 std::string to_svg(const Drawing& drawing);
 
 /// @param name  the file's name, for messages
 std::string to_png(const Drawing& drawing, double scale, const std::string& name);
+
+/// Writes it by the file name's ending, .svg or .png. Throws Error.
+void save(const Drawing& drawing, double png_scale, const std::filesystem::path& path);
 
 /// A long line or cloud in pieces of at most 200, each starting where the last one ended. Renderers take quadratic time
 /// for one long path that crosses itself, as the path of a robot does.

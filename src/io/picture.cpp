@@ -2,11 +2,9 @@
 #include <utility>
 
 #include <slamicp/error.hpp>
-#include <slamicp/io/output_file.hpp>
 #include <slamicp/io/picture.hpp>
 
 #include "io/drawing.hpp"
-#include "io/text.hpp"
 
 namespace slamicp {
 
@@ -66,14 +64,7 @@ Picture& Picture::label(const Point2& at, std::string text, Colour colour) {
 std::string Picture::svg() const { return drawing::to_svg(drawing::lay_out(*this)); }
 
 void Picture::save(const std::filesystem::path& path) const {
-  const std::string ending = text::ending_of(path);
-  if (ending == ".svg")
-    write_file(path, svg());
-  else if (ending == ".png")
-    write_file(path, drawing::to_png(drawing::lay_out(*this), options_.png_scale, text::name_of(path)));
-  else
-    throw Error("ending " + text::quoted(ending) + " is of no picture that slamicp writes", text::name_of(path),
-                "name it .svg or .png");
+  drawing::save(drawing::lay_out(*this), options_.png_scale, path);
 }
 
 }  // namespace slamicp

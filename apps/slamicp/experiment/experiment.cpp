@@ -79,7 +79,7 @@ void add_experiment(CLI::App& program) {
       ->delimiter(',')
       ->type_name("A1..D3");
   verb->add_option("--every", words->every,
-                   "show the agents every so many-th scan (table1): the original one compares by brute force")
+                   "of so many scans show both agents one (table1): the original one compares by brute force")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   verb->add_flag_callback(

@@ -25,8 +25,8 @@ struct ExperimentWords {
   bool times = true;
 
   /// The obstacles asked for, or these.
-  std::vector<std::string> obstacles_or(std::vector<std::string> of_the_paper) const {
-    return obstacles.empty() ? std::move(of_the_paper) : obstacles;
+  std::vector<std::string> obstacles_or(const std::vector<std::string>& of_the_paper) const {
+    return obstacles.empty() ? of_the_paper : obstacles;
   }
 };
 

@@ -16,21 +16,6 @@ constexpr const char* style =
     "th:first-child,td:first-child{text-align:left}"
     "figure{margin:1.5em 0}figcaption{color:#555}svg{max-width:100%;height:auto;display:block}";
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
 }  // namespace
 
 Folder::Folder(const std::string& path) : path_(path) {

@@ -23,7 +23,7 @@ std::string size_text(const PlacedObstacle& placed) {
 }
 
 std::string size_text(const MeasuredThing& thing, bool is_box) {
-  const std::string box = format("%.0f x %.0f mm", 1e3 * thing.box.width, 1e3 * thing.box.depth);
+  std::string box = format("%.0f x %.0f mm", 1e3 * thing.box.width, 1e3 * thing.box.depth);
   if (is_box || !thing.round) return box;
   return format("radius %.0f mm (circle), ", 1e3 * thing.round->radius) + box + " (box)";
 }

@@ -65,14 +65,14 @@ Json run_snapshots(const ExperimentWords& words, const ExperimentSite& site, con
   for (const std::string& obstacle : words.obstacles_or({"A2", "B2"})) {
     const RecordedDrive drive = drive_past(site, obstacle, words.seed);
     const std::string figure = std::string("Figure ") + figure_of(obstacle);
-    page.heading(figure + ": obstacle " + obstacle);
+    page.heading(figure + format(": obstacle %s", obstacle.c_str()));
     for (std::size_t k = 0; k < drive.views.size(); ++k) {
       const DriveView& view = drive.views[k];
-      const Picture picture = draw(site, view, figure + letters[k] + ": obstacle " + obstacle);
-      folder.save("snapshot_" + obstacle + "_" + letters[k], picture);
+      const Picture picture = draw(site, view, figure + format("%s: obstacle %s", letters[k], obstacle.c_str()));
+      folder.save(format("snapshot_%s_%s", obstacle.c_str(), letters[k]), picture);
       const std::string told =
           format("after %.1f m: %zu inliers, %zu outliers", view.travelled, view.inliers.size(), view.outliers.size());
-      page.figure(picture.svg(), std::string("(") + letters[k] + ") " + told);
+      page.figure(picture.svg(), format("(%s) ", letters[k]) + told);
       talk(format("%-9s (%s) ", obstacle.c_str(), letters[k]) + told);
       csv += csv_row(obstacle, letters[k], view);
       views.push_back(to_json(obstacle, letters[k], view));

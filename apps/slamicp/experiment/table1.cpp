@@ -119,8 +119,8 @@ void tell_counts(Page& page, const std::vector<Table1Row>& rows, const Table1Opt
   page.table(table);
   page.paragraph(
       format("Found: the agent has an obstacle where the true one stands. It is due once %d of the laser's "
-             "beams meet it within %.0f m, by the truth; then there is %.1f s. Both agents are shown every "
-             "%zu-th scan; outliers a scan are of those. Held back: cycles in which the agent slowed down or "
+             "beams meet it within %.0f m, by the truth; then there is %.1f s. Both agents are shown one "
+             "scan in %zu; outliers a scan are of those. Held back: cycles in which the agent slowed down or "
              "stopped, though no obstacle blocks the path.",
              beams_to_find, near_range, in_time, options.every));
 }
