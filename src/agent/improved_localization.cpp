@@ -13,7 +13,7 @@ class ImprovedLocalization : public SelfLocalization {
   void set_pose(const Pose2& pose) override { localizer_.set_pose(pose); }
 
   void localize(const LaserScan& scan) override {
-    if (rebuild_) localizer_.set_map(PointMap2::create(to_cloud<2>(localizer_.map()->points())));
+    if (rebuild_) localizer_.set_map(PointMap2::create(to_cloud<2>(localizer_.map()->points()), {}, {.eager = false}));
     localizer_.update(scan);
   }
 

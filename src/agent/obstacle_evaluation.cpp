@@ -12,6 +12,54 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double path_step = 0.05;  // of the way ahead that points are held against [m]
 
+/// Where a point is beside the way ahead.
+struct Place {
+  double ahead;        // along the way, of the nearest place on it, from its start [m]
+  double cross_track;  // positive to the left [m]
+  double aside;        // from that place; at the ends of the way it need not be abreast [m]
+};
+
+/// A stretch of a path as a polyline: a scan's points are many, and each is held against all of it. In the sharpest
+/// curve that a robot takes, its chords are a millimetre off.
+class WayAhead {
+ public:
+  WayAhead(const SplinePath& path, double from, double to) {
+    const double end = std::min(to, path.length());
+    for (double distance = from; distance < end; distance += path_step)
+      places_.push_back(path.at(distance).translation());
+    places_.push_back(path.at(end).translation());
+    if (places_.size() == 1) places_.insert(places_.begin(), path.at(end - path_step).translation());
+  }
+
+  Place nearest(const Point2& point) const noexcept {
+    std::size_t corner = 0;
+    double least = infinity;
+    for (std::size_t k = 0; k < places_.size(); ++k)
+      if (const double here = (point - places_[k]).squaredNorm(); here < least) {
+        corner = k;
+        least = here;
+      }
+    Place best{0.0, 0.0, infinity};
+    for (std::size_t k = std::max<std::size_t>(corner, 1); k <= corner + 1 && k < places_.size(); ++k)
+      if (const Place here = beside(k, point); here.aside < best.aside) best = here;
+    return best;
+  }
+
+ private:
+  /// Beside the chord from place k - 1 to place k.
+  Place beside(std::size_t k, const Point2& point) const noexcept {
+    const Point2 chord = places_[k] - places_[k - 1];
+    const Point2 off = point - places_[k - 1];
+    const double length = chord.norm();
+    if (!(length > 0.0)) return {static_cast<double>(k - 1) * path_step, 0.0, off.norm()};
+    const double along = std::clamp(chord.dot(off) / length, 0.0, length);
+    return {static_cast<double>(k - 1) * path_step + along, (chord.x() * off.y() - chord.y() * off.x()) / length,
+            (off - along / length * chord).norm()};
+  }
+
+  PointCloud2 places_;
+};
+
 }  // namespace
 
 const char* to_string(Decision decision) noexcept {
@@ -49,13 +97,11 @@ EvaluatedObstacle ObstacleEvaluation::judged(const SplinePath& path, double trav
   const Point2 robot = fix.pose.translation();
   const double size = std::hypot(obstacle.box.width, obstacle.box.depth);
   if ((obstacle.box.centre - robot).norm() - 0.5 * size > reach + options_.corridor_half_width) return result;
+  const WayAhead way(path, travelled, travelled + reach);
   for (const int point : obstacle.points) {
-    const Point2 in_map = fix.pose * fix.scan.in_robot[static_cast<std::size_t>(point)];
-    const PathPlace place = path.nearest(in_map, travelled, travelled + reach);
+    const Place place = way.nearest(fix.pose * fix.scan.in_robot[static_cast<std::size_t>(point)]);
     if (std::abs(place.cross_track) < std::abs(result.cross_track)) result.cross_track = place.cross_track;
-    // At the ends of the stretch the nearest place is not abreast: the whole distance counts.
-    const double aside = (path.at(place.distance).translation() - in_map).norm();
-    if (aside < options_.corridor_half_width) result.ahead = std::min(result.ahead, place.distance - travelled);
+    if (place.aside < options_.corridor_half_width) result.ahead = std::min(result.ahead, place.ahead);
   }
   if (result.ahead < options_.stop_distance)
     result.decision = Decision::stop;

@@ -20,7 +20,7 @@ enum class Decision {
 const char* to_string(Decision decision) noexcept;
 
 struct ObstacleEvaluationOptions {
-  double corridor_half_width = 0.35;  ///< what the robot sweeps to either side of the path, with its margin [m], > 0
+  double corridor_half_width = 0.30;  ///< what the robot sweeps to either side of the path, with its margin [m], > 0
   double slow_distance = 1.5;         ///< along the path, from the robot's centre [m], > stop_distance
   double stop_distance = 0.6;         ///< [m], > 0
   double braking = 1.0;               ///< with which a stop in time is planned [m/s^2], > 0
