@@ -1,5 +1,5 @@
-# bench/measure/NAME.cpp becomes the program measure_NAME, run by `scripts/measure NAME`. Built on demand; scripts/test
-# builds them all (the target slamicp_measurements) so that they cannot rot.
+# bench/measure/NAME.cpp becomes the program measure_NAME, run by `scripts/measure NAME`. Built on demand; the
+# target slamicp_measurements builds them all.
 find_package(nlohmann_json REQUIRED)  # their results, for machines
 file(GLOB measurement_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/measure/*.cpp)
 add_custom_target(slamicp_measurements)
