@@ -113,8 +113,8 @@ SweepMotion Localizer::State::sweep_of(const LaserScan& scan, const LaserScan& f
         by_wheels ? first.T_odom_robot->inverse() * *scan.T_odom_robot : velocity.over(scan.stamp - first.stamp);
   }
   if (!options.deskew || scan.time_increment == 0.0) return motion;
-  motion.T_first_last =
-      scan.sweep_motion && scan.sweep_motion->is_finite() ? *scan.sweep_motion : velocity.over(sweep_time(scan));
+  const Pose2* const by_wheels = prediction.sweep_motion(scan);
+  motion.T_first_last = by_wheels != nullptr ? *by_wheels : velocity.over(sweep_time(scan));
   return motion;
 }
 

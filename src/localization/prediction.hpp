@@ -57,6 +57,11 @@ class Prediction {
     last_odometry_ = has_odometry(scan) ? scan.T_odom_robot : std::nullopt;
   }
 
+  /// How far the robot moved during the sweep by its wheels, where that is known and is to be used.
+  const Pose2* sweep_motion(const LaserScan& scan) const noexcept {
+    return use_odometry_ && scan.sweep_motion && scan.sweep_motion->is_finite() ? &*scan.sweep_motion : nullptr;
+  }
+
   /// Whether the robot's pose by its wheels is known at the scan's stamp, and is to be used.
   bool has_odometry(const LaserScan& scan) const noexcept {
     return use_odometry_ && scan.T_odom_robot && scan.T_odom_robot->is_finite();

@@ -101,6 +101,24 @@ TEST(DeskewTest, AMistakeAboutTheVelocityDiesAway) {
   EXPECT_LT(distance(localizer.fix().pose, robot.at(7.0 / rate)).rotation, 0.003);
 }
 
+TEST(DeskewTest, WheelsThatAreNotToBeUsedAreNotBelievedDuringTheSweepEither) {
+  const Turning robot;
+  Localizer without(robot.map());
+  Localizer not_used(robot.map(), {.use_odometry = false});
+  without.set_pose(robot.start);
+  not_used.set_pose(robot.start);
+  Random random(2);
+  for (int k = 0; k < 10; ++k) {
+    LaserScan scan = robot.scan_at(k / rate, random);
+    const Pose2 expected = without.update(scan).pose;
+    scan.T_odom_robot = Pose2{9.0, 9.0, 1.0 * k};  // wheels that tell tales
+    scan.sweep_motion = Pose2{0.2, 0.0, -0.4};
+    const Pose2& pose = not_used.update(scan).pose;
+    EXPECT_EQ(pose.x, expected.x);
+    EXPECT_EQ(pose.theta, expected.theta);
+  }
+}
+
 TEST(JoinedScansTest, TwoLasersGiveOneFix) {
   Turning robot;
   robot.lidar.beams = 541;
