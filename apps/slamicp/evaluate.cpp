@@ -34,9 +34,7 @@ Json to_json(const RelationErrorStatistics& errors) {
 
 /// Errors of the motion over each stretch of the path; nothing where the path is shorter.
 std::optional<TrajectoryError> over_stretches(const Words& words, const Trajectory& estimate, const Trajectory& truth) {
-  double length = 0.0;
-  for (std::size_t k = 1; k < truth.size(); ++k) length += distance(truth[k - 1].pose, truth[k].pose).translation;
-  if (length < words.distance) return std::nullopt;
+  if (path_length(truth) < words.distance) return std::nullopt;
   return relative_error(estimate, truth, words.distance);
 }
 

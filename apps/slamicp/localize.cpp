@@ -176,7 +176,7 @@ void run(const Words& words) {
       const double time_us = watch.microseconds();
       tables.add(number, fix, log[number], time_us);
       record.add(fix, time_us);
-      wheels.add(log[number], fix);
+      if (words.calibrate_odometry) wheels.add(log[number], fix);
       if (!words.update_map.empty() && fix.usable()) localizer.set_map(update_with_outliers<2>(fix.map, fix.match));
       progress.step();
     }

@@ -47,13 +47,6 @@ void draw(const Words& words, const Trajectory& trajectory, const PointCloud2& s
   picture.save(words.picture);
 }
 
-double length_of(const Trajectory& trajectory) {
-  double length = 0.0;
-  for (std::size_t k = 1; k < trajectory.size(); ++k)
-    length += distance(trajectory[k - 1].pose, trajectory[k].pose).translation;
-  return length;
-}
-
 void run(const Words& words) {
   const ScanLog log = open_scan_log(words.log, words.reading);
   warn(log.warnings);
@@ -78,13 +71,13 @@ void run(const Words& words) {
                           {"log", words.log},
                           {"scans", log.size()},
                           {"unmatched_scans", odometry.unmatched()},
-                          {"path_length", length_of(trajectory)},
+                          {"path_length", path_length(trajectory)},
                           {"end_to_start", {{"translation", back.translation}, {"rotation", back.rotation}}},
                           {"seconds", seconds},
                           {"last_pose", to_json(trajectory.back().pose)}});
   Talk{words.json}(format(
       "%zu scans, %d unmatched; %.1f m of path, the end is %.3f m and %.2f deg from the start; %.1f s", log.size(),
-      odometry.unmatched(), length_of(trajectory), back.translation, back.rotation * deg_per_rad, seconds));
+      odometry.unmatched(), path_length(trajectory), back.translation, back.rotation * deg_per_rad, seconds));
 }
 
 }  // namespace

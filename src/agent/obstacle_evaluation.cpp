@@ -19,9 +19,11 @@ struct Place {
   double aside;        // from that place; at the ends of the way it need not be abreast [m]
 };
 
+}  // namespace
+
 /// A stretch of a path as a polyline: a scan's points are many, and each is held against all of it. In the sharpest
 /// curve that a robot takes, its chords are a millimetre off.
-class WayAhead {
+class ObstacleEvaluation::WayAhead {
  public:
   WayAhead(const SplinePath& path, double from, double to) {
     const double end = std::min(to, path.length());
@@ -60,8 +62,6 @@ class WayAhead {
   PointCloud2 places_;
 };
 
-}  // namespace
-
 const char* to_string(Decision decision) noexcept {
   switch (decision) {
     case Decision::ignore:
@@ -89,15 +89,12 @@ ObstacleEvaluation::ObstacleEvaluation(const ObstacleEvaluationOptions& options)
     throw Error(problem, "ObstacleEvaluationOptions");
 }
 
-EvaluatedObstacle ObstacleEvaluation::judged(const SplinePath& path, double travelled, const Fix& fix,
-                                             const Obstacle& obstacle) const {
+EvaluatedObstacle ObstacleEvaluation::judged(const WayAhead& way, const Fix& fix, const Obstacle& obstacle) const {
   EvaluatedObstacle result{obstacle, infinity, infinity, Decision::ignore};
-  const double reach = options_.slow_distance + options_.corridor_half_width;
   // Far from all of the way ahead: nothing to work out.
   const Point2 robot = fix.pose.translation();
   const double size = std::hypot(obstacle.box.width, obstacle.box.depth);
-  if ((obstacle.box.centre - robot).norm() - 0.5 * size > reach + options_.corridor_half_width) return result;
-  const WayAhead way(path, travelled, travelled + reach);
+  if ((obstacle.box.centre - robot).norm() - 0.5 * size > reach() + options_.corridor_half_width) return result;
   for (const int point : obstacle.points) {
     const Place place = way.nearest(fix.pose * fix.scan.in_robot[static_cast<std::size_t>(point)]);
     if (std::abs(place.cross_track) < std::abs(result.cross_track)) result.cross_track = place.cross_track;
@@ -113,10 +110,11 @@ EvaluatedObstacle ObstacleEvaluation::judged(const SplinePath& path, double trav
 void ObstacleEvaluation::update(const SplinePath& path, double travelled, const Fix& fix,
                                 std::span<const Obstacle> obstacles) {
   evaluated_.clear();
+  const WayAhead way(path, travelled, obstacles.empty() ? travelled : travelled + reach());
   Decision worst = Decision::ignore;
   double nearest = infinity;
   for (const Obstacle& obstacle : obstacles) {
-    evaluated_.push_back(judged(path, travelled, fix, obstacle));
+    evaluated_.push_back(judged(way, fix, obstacle));
     worst = std::max(worst, evaluated_.back().decision);
     nearest = std::min(nearest, evaluated_.back().ahead);
   }

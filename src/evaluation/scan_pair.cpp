@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include <slamicp/evaluation/scan_pair.hpp>
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/registration/icp.hpp>
 #include <slamicp/scan/scan_points.hpp>
 #include <slamicp/simulation/corridor_world.hpp>
@@ -26,7 +27,7 @@ ScanPair look(const World& world, const Pose2& first, const Pose2& second, doubl
   pair.M = to_points(scan(world, first, lidar, random)).in_robot;
   pair.T = to_points(scan(world, second, lidar, random)).in_robot;
   pair.truth = first.inverse() * second;
-  pair.guess = pair.truth * Pose2{0.05, -0.05, 2.0 * std::numbers::pi / 180.0};
+  pair.guess = pair.truth * Pose2{0.05, -0.05, 2.0 * rad_per_deg};
   return pair;
 }
 

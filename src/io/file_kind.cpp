@@ -10,6 +10,7 @@
 #include <slamicp/io/file_kind.hpp>
 
 #include "io/log_format.hpp"
+#include "io/text.hpp"
 
 namespace slamicp {
 namespace {
@@ -29,9 +30,7 @@ FileKind kind_of_csv(const std::filesystem::path& path) {
 }  // namespace
 
 FileKind kind_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = text::ending_of(path);
   if (ending != ".csv" && log_format(path)) return FileKind::scan_log;
   if (ending == ".xyz" || ending == ".pcd" || ending == ".ply") return FileKind::cloud;
   if (ending == ".yaml" || ending == ".yml" || ending == ".pgm") return FileKind::occupancy_map;

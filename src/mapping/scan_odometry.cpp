@@ -7,27 +7,25 @@
 namespace slamicp {
 namespace {
 
-LocalizerOptions scan_to_scan(const ScanOdometryOptions& options) {
-  LocalizerOptions localizer;
-  localizer.max_correspondence_distance = options.max_correspondence_distance;
-  localizer.method = options.method;
-  localizer.max_iterations = options.max_iterations;
-  localizer.ranges = options.ranges;
-  localizer.use_odometry = options.use_odometry;
-  localizer.deskew = options.deskew;
-  return localizer;
+/// What both kinds of match have in common.
+template <class Options>
+Options match_of(const ScanOdometryOptions& options) {
+  Options match;
+  match.max_correspondence_distance = options.max_correspondence_distance;
+  match.method = options.method;
+  match.max_iterations = options.max_iterations;
+  match.ranges = options.ranges;
+  match.use_odometry = options.use_odometry;
+  match.deskew = options.deskew;
+  return match;
 }
 
+LocalizerOptions scan_to_scan(const ScanOdometryOptions& options) { return match_of<LocalizerOptions>(options); }
+
 MapperOptions to_local_map(const ScanOdometryOptions& options) {
-  MapperOptions mapper;
-  mapper.max_correspondence_distance = options.max_correspondence_distance;
+  MapperOptions mapper = match_of<MapperOptions>(options);
   mapper.insertion_distance = options.insertion_distance;
   mapper.forget_distance = options.map_radius;
-  mapper.method = options.method;
-  mapper.max_iterations = options.max_iterations;
-  mapper.ranges = options.ranges;
-  mapper.use_odometry = options.use_odometry;
-  mapper.deskew = options.deskew;
   return mapper;
 }
 

@@ -71,9 +71,8 @@ Pose2 PathTracker::predicted(const Pose2& T_map_robot, double stamp) noexcept {
 }
 
 /// What brings the robot along the path, and back to it.
-VelocityCommand PathTracker::lead(const Pose2& ahead, double speed) const noexcept {
-  const PathPlace place =
-      path_->nearest(ahead.translation(), tracking_.travelled - search_behind, tracking_.travelled + search_ahead);
+/// @param place  where `ahead` is beside the path
+VelocityCommand PathTracker::lead(const Pose2& ahead, const PathPlace& place, double speed) const noexcept {
   const Pose2 on_path = path_->at(place.distance);
   const double bend = path_->curvature(place.distance);
   const double heading_error = wrap_angle(ahead.theta - on_path.theta);
@@ -108,14 +107,14 @@ const Tracking& PathTracker::update(const Pose2& T_map_robot, double stamp, doub
   tracking_.finished = path_->length() - place.distance < options_.goal_tolerance;
 
   const Pose2 ahead = predicted(T_map_robot, stamp);
-  const double there =
-      path_->nearest(ahead.translation(), place.distance - search_behind, place.distance + search_ahead).distance;
+  const PathPlace there =
+      path_->nearest(ahead.translation(), place.distance - search_behind, place.distance + search_ahead);
   const double step = started_ ? std::min(stamp - last_stamp_, 0.2) : 0.0;
-  const double most = std::min(allowed_speed(there), std::max(0.0, speed_limit));
+  const double most = std::min(allowed_speed(there.distance), std::max(0.0, speed_limit));
   // Braking for an obstacle may be harder than comfort allows.
   const double wanted = std::min(most, tracking_.speed + options_.max_acceleration * step);
   tracking_.speed = tracking_.finished ? 0.0 : std::max(wanted, 0.0);
-  tracking_.command = tracking_.speed > 0.0 ? lead(ahead, tracking_.speed) : VelocityCommand{};
+  tracking_.command = tracking_.speed > 0.0 ? lead(ahead, there, tracking_.speed) : VelocityCommand{};
 
   if (issued_.size() == issued_.capacity()) issued_.erase(issued_.begin());
   issued_.push_back({stamp, tracking_.command});

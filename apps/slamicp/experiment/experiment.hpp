@@ -70,6 +70,9 @@ inline std::string name_of_obstacle(const std::string& obstacle) { return obstac
 /// Says on a page what is simulated, and of which map the robot has.
 void tell_what_is_simulated(Page& page, const ExperimentSite& site);
 
+/// The reference path, as a line to draw.
+PointCloud2 path_of(const ExperimentSite& site);
+
 /// The map as dots, all of it or a part.
 Picture draw_map(const ExperimentSite& site, const std::string& title,
                  const std::optional<Bounds<2>>& bounds = std::nullopt);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <numbers>
 
 #include <slamicp/evaluation/scan_pair.hpp>
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/simulation/corridor_world.hpp>
 
 #include "experiment.hpp"
@@ -9,7 +9,6 @@
 namespace slamicp::command {
 namespace {
 
-constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 constexpr Colour start_colour{122, 40, 160};
 constexpr Colour end_colour{34, 160, 84};
 
@@ -108,12 +107,6 @@ void draw_real(const MatchedPair& pair, Figures& figures) {
 }
 
 // ---- Figures 4 and 5: the site --------------------------------------------------------------------------------------
-
-PointCloud2 path_of(const ExperimentSite& site) {
-  PointCloud2 path;
-  for (const Pose2& pose : site.path->sampled(0.05)) path.push_back(pose.translation());
-  return path;
-}
 
 void draw_site(const ExperimentSite& site, Figures& figures) {
   Picture picture = draw_map(site, "Figure 4: the map and the reference path");

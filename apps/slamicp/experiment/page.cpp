@@ -87,6 +87,12 @@ void tell_what_is_simulated(Page& page, const ExperimentSite& site) {
              site.map->size(), site.survey_scans, 1e3 * site.survey_error.mean, 1e3 * site.survey_error.max));
 }
 
+PointCloud2 path_of(const ExperimentSite& site) {
+  PointCloud2 path;
+  for (const Pose2& pose : site.path->sampled(0.05)) path.push_back(pose.translation());
+  return path;
+}
+
 Picture draw_map(const ExperimentSite& site, const std::string& title, const std::optional<Bounds<2>>& bounds) {
   PictureOptions options;
   options.title = title;

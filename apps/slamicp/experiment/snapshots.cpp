@@ -16,9 +16,7 @@ const char* figure_of(const std::string& obstacle) {
 
 Picture draw(const ExperimentSite& site, const DriveView& view, const std::string& title) {
   Picture picture = draw_map(site, title, Bounds<2>{{2.5, -5.3}, {18.5, 4.9}});
-  PointCloud2 path;
-  for (const Pose2& pose : site.path->sampled(0.05)) path.push_back(pose.translation());
-  picture.polyline(path, colours::path, 1.2, "reference path");
+  picture.polyline(path_of(site), colours::path, 1.2, "reference path");
   picture.points(view.inliers, colours::inlier, 1.4, format("%zu inliers", view.inliers.size()));
   picture.points(view.outliers, colours::outlier, 2.0, format("%zu outliers", view.outliers.size()));
   picture.robot(view.pose, 0.25, colours::robot, format("robot after %.1f m", view.travelled));

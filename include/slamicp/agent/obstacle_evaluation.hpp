@@ -60,7 +60,11 @@ class ObstacleEvaluation {
   double speed_limit() const noexcept { return speed_limit_; }
 
  private:
-  EvaluatedObstacle judged(const SplinePath& path, double travelled, const Fix& fix, const Obstacle& obstacle) const;
+  class WayAhead;
+
+  /// How far ahead things matter [m].
+  double reach() const noexcept { return options_.slow_distance + options_.corridor_half_width; }
+  EvaluatedObstacle judged(const WayAhead& way, const Fix& fix, const Obstacle& obstacle) const;
 
   ObstacleEvaluationOptions options_;
   std::vector<EvaluatedObstacle> evaluated_;

@@ -16,6 +16,14 @@ struct StampedPose {
 /// Poses in the order of their log: stamps usually rise, but need not.
 using Trajectory = std::vector<StampedPose>;
 
+/// The way from pose to pose [m].
+inline double path_length(const Trajectory& trajectory) noexcept {
+  double length = 0.0;
+  for (std::size_t k = 1; k < trajectory.size(); ++k)
+    length += distance(trajectory[k - 1].pose, trajectory[k].pose).translation;
+  return length;
+}
+
 /// What a surveyor says about two moments of a log: the pose at `stamp_b` as seen from the pose at `stamp_a`
 /// (Kuemmerle et al. 2009, "On measuring the accuracy of SLAM algorithms").
 struct Relation {

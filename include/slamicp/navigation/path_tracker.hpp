@@ -73,7 +73,7 @@ class PathTracker {
 
   double allowed_speed(double distance) const noexcept;
   Pose2 predicted(const Pose2& T_map_robot, double stamp) noexcept;
-  VelocityCommand lead(const Pose2& ahead, double speed) const noexcept;
+  VelocityCommand lead(const Pose2& ahead, const PathPlace& place, double speed) const noexcept;
 
   std::shared_ptr<const SplinePath> path_;
   PathTrackerOptions options_;
