@@ -4,10 +4,10 @@
 
 #include <slamicp/version.hpp>
 
-namespace slamicp {
+namespace slamicp::version_test {
 namespace {
 
 TEST(Version, is_the_one_that_the_build_names) { EXPECT_EQ(std::string(version), SLAMICP_BUILD_VERSION); }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::version_test

@@ -8,7 +8,7 @@
 #include <slamicp/simulation/map_sampler.hpp>
 #include <slamicp/simulation/robot.hpp>
 
-namespace slamicp {
+namespace slamicp::agent_test {
 namespace {
 
 constexpr double period = 0.025;
@@ -166,4 +166,4 @@ TEST(AgentTest, RefusesAbsurdOptions) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::agent_test

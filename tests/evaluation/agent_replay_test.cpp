@@ -6,7 +6,7 @@
 
 #include "sampled_site.hpp"
 
-namespace slamicp {
+namespace slamicp::agent_replay_test {
 namespace {
 
 RecordedDrive short_drive(const ExperimentSite& site, const char* obstacle, double seconds) {
@@ -79,4 +79,4 @@ TEST(AgentReplay, RefusesADriveWithoutScans) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::agent_replay_test

@@ -7,7 +7,7 @@
 #include <slamicp/evaluation/along_path.hpp>
 #include <slamicp/simulation/random.hpp>
 
-namespace slamicp {
+namespace slamicp::along_path_test {
 namespace {
 
 double outliers_of(const DriveSample& sample) { return static_cast<double>(sample.outliers); }
@@ -55,4 +55,4 @@ TEST(CurveSpread, LeavesOutPlacesThatSomeRunDoesNotReach) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::along_path_test

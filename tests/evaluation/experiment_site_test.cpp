@@ -3,7 +3,7 @@
 
 #include <slamicp/evaluation/experiment_site.hpp>
 
-namespace slamicp {
+namespace slamicp::experiment_site_test {
 namespace {
 
 TEST(ExperimentSite, IsExploredByOurMapperWithAsManyPointsAsThePapersMap) {
@@ -21,4 +21,4 @@ TEST(ExperimentSite, IsExploredByOurMapperWithAsManyPointsAsThePapersMap) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::experiment_site_test

@@ -4,7 +4,7 @@
 #include <slamicp/error.hpp>
 #include <slamicp/evaluation/false_alarms.hpp>
 
-namespace slamicp {
+namespace slamicp::false_alarms_test {
 namespace {
 
 Cycle seeing(std::initializer_list<Point2> places, Decision decision = Decision::ignore) {
@@ -69,4 +69,4 @@ TEST(FalseAlarms, RefusesAbsurdOptions) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::false_alarms_test

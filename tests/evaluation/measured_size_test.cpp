@@ -6,7 +6,7 @@
 #include <slamicp/evaluation/measured_size.hpp>
 #include <slamicp/simulation/random.hpp>
 
-namespace slamicp {
+namespace slamicp::measured_size_test {
 namespace {
 
 PointCloud2 arc(const Point2& centre, double radius, double angle, double noise, std::size_t count) {
@@ -54,4 +54,4 @@ TEST(MeasuredThing, IsTheReconstructionNearestToTheObstacle) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::measured_size_test

@@ -7,7 +7,7 @@
 
 #include "sampled_site.hpp"
 
-namespace slamicp {
+namespace slamicp::recorded_drive_test {
 namespace {
 
 /// The stretch beside B1.
@@ -95,4 +95,4 @@ TEST(RecordedDrive, RefusesWhatIsNoDrive) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::recorded_drive_test

@@ -9,7 +9,7 @@
 #include <slamicp/io/relations_file.hpp>
 #include <slamicp/io/scan_log.hpp>
 
-namespace slamicp {
+namespace slamicp::relation_error_data_test {
 namespace {
 
 std::filesystem::path benchmark_folder() {
@@ -56,4 +56,4 @@ INSTANTIATE_TEST_SUITE_P(SlamBenchmark, RawOdometry,
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::relation_error_data_test

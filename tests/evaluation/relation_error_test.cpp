@@ -6,7 +6,7 @@
 #include <slamicp/error.hpp>
 #include <slamicp/evaluation/relation_error.hpp>
 
-namespace slamicp {
+namespace slamicp::relation_error_test {
 namespace {
 
 // Stamps out of order, and one of them twice: the first counts.
@@ -59,4 +59,4 @@ TEST(RelationError, RefusesWhatCannotBeScored) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::relation_error_test

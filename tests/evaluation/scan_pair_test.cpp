@@ -3,7 +3,7 @@
 
 #include <slamicp/evaluation/scan_pair.hpp>
 
-namespace slamicp {
+namespace slamicp::scan_pair_test {
 namespace {
 
 TEST(ScanPair, TwoScansGiveTheMapsOfThePapersFigures7And8) {
@@ -30,4 +30,4 @@ TEST(ScanPair, AnotherSeedIsOtherNoise) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::scan_pair_test

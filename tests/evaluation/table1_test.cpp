@@ -6,7 +6,7 @@
 
 #include "sampled_site.hpp"
 
-namespace slamicp {
+namespace slamicp::table1_test {
 namespace {
 
 TEST(Table1, ThePapersRowsGiveItsMeanImprovement) {
@@ -45,4 +45,4 @@ TEST(Table1, RefusesNoRuns) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::table1_test

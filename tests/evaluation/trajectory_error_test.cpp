@@ -6,7 +6,7 @@
 #include <slamicp/error.hpp>
 #include <slamicp/evaluation/trajectory_error.hpp>
 
-namespace slamicp {
+namespace slamicp::trajectory_error_test {
 namespace {
 
 Trajectory curve(int poses) {
@@ -134,4 +134,4 @@ TEST(RelativeError, OfWheelsThatCountTwoPercentTooMuch) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::trajectory_error_test

@@ -6,7 +6,7 @@
 
 #include "support/random.hpp"
 
-namespace slamicp {
+namespace slamicp::pose_test {
 namespace {
 
 using test::pi;
@@ -198,4 +198,4 @@ TEST(BoundsTest, HoldTheFinitePointsOnly) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::pose_test

@@ -6,7 +6,7 @@
 
 #include "support/random.hpp"
 
-namespace slamicp {
+namespace slamicp::voxel_grid_test {
 namespace {
 
 TEST(VoxelGridTest, EachCubeLeavesTheMeanOfItsPointsInTheOrderOfTheFirst) {
@@ -35,4 +35,4 @@ TEST(VoxelGridTest, AbsurdSizesAreRefused) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::voxel_grid_test

@@ -8,7 +8,7 @@
 
 #include "io/io_test_support.hpp"
 
-namespace slamicp {
+namespace slamicp::carmen_log_test {
 namespace {
 
 using io_test::expect_error;
@@ -241,4 +241,4 @@ TEST(CarmenLog, RefusesToWriteWhatIsNoScan) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::carmen_log_test

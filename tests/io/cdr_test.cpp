@@ -6,7 +6,7 @@
 #include "io/io_test_support.hpp"
 #include "support/cdr_writer.hpp"
 
-namespace slamicp {
+namespace slamicp::cdr_test {
 namespace {
 
 using io_test::expect_error;
@@ -124,4 +124,4 @@ TEST(Cdr, ABuildWithoutItSaysSo) {
 #endif
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::cdr_test

@@ -5,7 +5,7 @@
 #include <slamicp/error.hpp>
 #include <slamicp/io/chart.hpp>
 
-namespace slamicp {
+namespace slamicp::chart_test {
 namespace {
 
 std::size_t count(const std::string& text, const std::string& piece) {
@@ -50,4 +50,4 @@ TEST(Chart, RefusesAbsurdSizesAndEndings) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::chart_test

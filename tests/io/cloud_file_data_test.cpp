@@ -6,7 +6,7 @@
 
 #include "io/io_test_support.hpp"
 
-namespace slamicp {
+namespace slamicp::cloud_file_data_test {
 namespace {
 
 TEST(CloudFileData, PublicClouds) {
@@ -46,4 +46,4 @@ TEST(CloudFileData, Relations) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::cloud_file_data_test

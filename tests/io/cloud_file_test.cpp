@@ -6,7 +6,7 @@
 
 #include "io/io_test_support.hpp"
 
-namespace slamicp {
+namespace slamicp::cloud_file_test {
 namespace {
 
 using io_test::expect_error;
@@ -73,4 +73,4 @@ TEST(CloudFile, UnknownEndings) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::cloud_file_test

@@ -6,7 +6,7 @@
 
 #include "io/io_test_support.hpp"
 
-namespace slamicp {
+namespace slamicp::cloud_formats_test {
 namespace {
 
 using io_test::expect_error;
@@ -172,4 +172,4 @@ TEST_F(CloudFormats, PlyMistakes) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::cloud_formats_test

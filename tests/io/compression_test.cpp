@@ -6,7 +6,7 @@
 #include "io/io_test_support.hpp"
 #include "support/packing.hpp"
 
-namespace slamicp {
+namespace slamicp::compression_test {
 namespace {
 
 using io_test::expect_error;
@@ -98,4 +98,4 @@ TEST(Compression, NoneGivesTheBytes) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::compression_test

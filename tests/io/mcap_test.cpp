@@ -5,7 +5,7 @@
 #include "support/mcap_writer.hpp"
 #include "support/recorded.hpp"
 
-namespace slamicp {
+namespace slamicp::mcap_test {
 namespace {
 
 using io_test::expect_error;
@@ -148,4 +148,4 @@ TEST(Mcap, AnErrorOfTheVisitorPasses) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::mcap_test

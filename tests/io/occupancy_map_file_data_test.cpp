@@ -5,7 +5,7 @@
 
 #include "io/io_test_support.hpp"
 
-namespace slamicp {
+namespace slamicp::occupancy_map_file_data_test {
 namespace {
 
 /// The counts are those of an independent reader, tests/apps/map_server_test.py.
@@ -54,4 +54,4 @@ TEST(OccupancyMapFileData, ATurnedOrigin) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::occupancy_map_file_data_test

@@ -8,7 +8,7 @@
 #include "io/png_test_support.hpp"
 #include "support/random.hpp"
 
-namespace slamicp {
+namespace slamicp::occupancy_map_file_test {
 namespace {
 
 using io_test::expect_error;
@@ -344,4 +344,4 @@ TEST_F(OccupancyMapPngTest, NamesTheImageThatIsBroken) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::occupancy_map_file_test

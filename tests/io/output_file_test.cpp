@@ -7,7 +7,7 @@
 
 #include "io/io_test_support.hpp"
 
-namespace slamicp {
+namespace slamicp::output_file_test {
 namespace {
 
 using io_test::expect_error;
@@ -127,4 +127,4 @@ TEST(CsvTable, WritesTheHeadersThatScriptsRelyOn) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::output_file_test

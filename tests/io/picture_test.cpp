@@ -7,7 +7,7 @@
 
 #include "io/io_test_support.hpp"
 
-namespace slamicp {
+namespace slamicp::picture_test {
 namespace {
 
 using io_test::expect_error;
@@ -115,4 +115,4 @@ TEST(Picture, ChecksItsOptions) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::picture_test

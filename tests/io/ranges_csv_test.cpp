@@ -6,7 +6,7 @@
 
 #include "io/io_test_support.hpp"
 
-namespace slamicp {
+namespace slamicp::ranges_csv_test {
 namespace {
 
 using io_test::expect_error;
@@ -74,4 +74,4 @@ TEST(RangesCsv, WhatIsWrittenComesBack) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::ranges_csv_test

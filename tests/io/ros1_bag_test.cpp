@@ -7,7 +7,7 @@
 #include "support/bag_writer.hpp"
 #include "support/recorded.hpp"
 
-namespace slamicp {
+namespace slamicp::ros1_bag_test {
 namespace {
 
 using io_test::expect_error;
@@ -177,4 +177,4 @@ TEST(Ros1BagReader, LeavesOutMessagesOfNoKnownTopic) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::ros1_bag_test

@@ -7,7 +7,7 @@
 
 #include "io/io_test_support.hpp"
 
-namespace slamicp {
+namespace slamicp::ros_log_data_test {
 namespace {
 
 double odometry_path(const ScanLog& log) {
@@ -108,4 +108,4 @@ TEST(RosLogData, CutAnywhereGivesTheFirstScans) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::ros_log_data_test

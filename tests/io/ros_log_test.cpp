@@ -9,7 +9,7 @@
 #include "io/io_test_support.hpp"
 #include "support/bag_writer.hpp"
 
-namespace slamicp {
+namespace slamicp::ros_log_test {
 namespace {
 
 using io_test::expect_error;
@@ -317,4 +317,4 @@ TEST_F(RosLogScans, BecomeCarmenAndBack) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::ros_log_test

@@ -8,7 +8,7 @@
 #include "io/io_test_support.hpp"
 #include "support/ros1_writer.hpp"
 
-namespace slamicp {
+namespace slamicp::ros_messages_test {
 namespace {
 
 using io_test::expect_error;
@@ -152,4 +152,4 @@ TEST(RosPointCloud, ThatCannotBeIsAnError) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::ros_messages_test

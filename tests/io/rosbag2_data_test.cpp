@@ -7,7 +7,7 @@
 #include "io/io_test_support.hpp"
 #include "support/recorded.hpp"
 
-namespace slamicp {
+namespace slamicp::rosbag2_data_test {
 namespace {
 
 TEST(Rosbag2Data, MacFirstFloorMessages) {
@@ -39,4 +39,4 @@ TEST(Rosbag2Data, MacFirstFloorLog) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::rosbag2_data_test

@@ -8,7 +8,7 @@
 #include "support/recorded.hpp"
 #include "support/rosbag2_writer.hpp"
 
-namespace slamicp {
+namespace slamicp::rosbag2_test {
 namespace {
 
 using io_test::expect_error;
@@ -271,4 +271,4 @@ TEST(Rosbag2Folder, AnEmptyOneIsNoRecording) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::rosbag2_test

@@ -6,7 +6,7 @@
 
 #include "io/io_test_support.hpp"
 
-namespace slamicp {
+namespace slamicp::scan_log_data_test {
 namespace {
 
 std::size_t farther_than(const ScanLog& log, float limit) {
@@ -66,4 +66,4 @@ TEST(ScanLogData, Corridor) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::scan_log_data_test

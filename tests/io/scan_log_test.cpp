@@ -8,7 +8,7 @@
 #include "support/bag_writer.hpp"
 #include "support/packing.hpp"
 
-namespace slamicp {
+namespace slamicp::scan_log_test {
 namespace {
 
 using io_test::expect_error;
@@ -86,4 +86,4 @@ TEST(ScanLog, SaysWhatItCannotRead) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::scan_log_test

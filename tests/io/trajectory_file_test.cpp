@@ -8,7 +8,7 @@
 
 #include "io/io_test_support.hpp"
 
-namespace slamicp {
+namespace slamicp::trajectory_file_test {
 namespace {
 
 using io_test::expect_error;
@@ -70,4 +70,4 @@ TEST(RelationsFile, ReadsAndRefuses) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::trajectory_file_test

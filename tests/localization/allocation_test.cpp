@@ -6,7 +6,7 @@
 #include "support/allocations.hpp"
 #include "support/room.hpp"
 
-namespace slamicp {
+namespace slamicp::allocation_test {
 namespace {
 
 int allocations_of_update(Localizer& localizer, const LaserScan& scan) {
@@ -38,4 +38,4 @@ TEST(AllocationTest, AfterTheFirstScanAnUpdateAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::allocation_test

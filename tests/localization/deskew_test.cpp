@@ -7,7 +7,7 @@
 #include <slamicp/simulation/lidar.hpp>
 #include <slamicp/simulation/map_sampler.hpp>
 
-namespace slamicp {
+namespace slamicp::deskew_test {
 namespace {
 
 constexpr double rate = 40.0;
@@ -155,4 +155,4 @@ TEST(JoinedScansTest, TwoLasersGiveOneFix) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::deskew_test

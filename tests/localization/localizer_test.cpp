@@ -6,7 +6,7 @@
 
 #include "support/room.hpp"
 
-namespace slamicp {
+namespace slamicp::localizer_test {
 namespace {
 
 using test::nan;
@@ -255,4 +255,4 @@ TEST(LocalizerOptionsTest, BecomeThoseOfTheMatch) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::localizer_test

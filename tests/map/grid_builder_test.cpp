@@ -7,7 +7,7 @@
 #include "support/random.hpp"
 #include "support/room.hpp"
 
-namespace slamicp {
+namespace slamicp::grid_builder_test {
 namespace {
 
 LaserScan one_ray(double range) {
@@ -185,4 +185,4 @@ TEST(GridBuilderTest, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::grid_builder_test

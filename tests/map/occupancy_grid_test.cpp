@@ -6,7 +6,7 @@
 
 #include "support/random.hpp"
 
-namespace slamicp {
+namespace slamicp::occupancy_grid_test {
 namespace {
 
 /// Rows from the top, as one sees them: '#' occupied, '.' free, ' ' unknown.
@@ -140,4 +140,4 @@ TEST(OccupancyGridTest, RefusesWhatIsTooLargeOrNothing) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::occupancy_grid_test

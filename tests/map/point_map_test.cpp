@@ -8,7 +8,7 @@
 
 #include "support/clouds.hpp"
 
-namespace slamicp {
+namespace slamicp::point_map_test {
 namespace {
 
 /// A scan of the mapped room with an unmapped shelf in it.
@@ -105,4 +105,4 @@ TEST(PointMapTest, AMapOfNothingIsRefused) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::point_map_test

@@ -9,7 +9,7 @@
 #include <slamicp/io/scan_log.hpp>
 #include <slamicp/mapping/mapper.hpp>
 
-namespace slamicp {
+namespace slamicp::mapper_data_test {
 namespace {
 
 struct Benchmark {
@@ -36,4 +36,4 @@ INSTANTIATE_TEST_SUITE_P(Logs, SlamBenchmarkMapping,
                          [](const auto& log) { return std::string(log.param.log); });
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::mapper_data_test

@@ -8,7 +8,7 @@
 #include <slamicp/simulation/corridor_world.hpp>
 #include <slamicp/simulation/drive.hpp>
 
-namespace slamicp {
+namespace slamicp::mapper_test {
 namespace {
 
 /// The reference route at few scans a second: the robot moves 10 cm between two.
@@ -122,4 +122,4 @@ TEST(MapperTest, RefusesAbsurdOptions) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::mapper_test

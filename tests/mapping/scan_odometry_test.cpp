@@ -6,7 +6,7 @@
 #include <slamicp/simulation/corridor_world.hpp>
 #include <slamicp/simulation/drive.hpp>
 
-namespace slamicp {
+namespace slamicp::scan_odometry_test {
 namespace {
 
 /// Along the main corridor, at the paper's speed.
@@ -81,4 +81,4 @@ TEST(ScanOdometryTest, RefusesAbsurdOptions) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::scan_odometry_test

@@ -7,7 +7,7 @@
 #include <slamicp/simulation/corridor_world.hpp>
 #include <slamicp/simulation/robot.hpp>
 
-namespace slamicp {
+namespace slamicp::path_tracker_test {
 namespace {
 
 std::shared_ptr<const SplinePath> reference() {
@@ -125,4 +125,4 @@ TEST(PathTrackerTest, RefusesAbsurdOptions) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::path_tracker_test

@@ -6,7 +6,7 @@
 #include <slamicp/navigation/spline_path.hpp>
 #include <slamicp/simulation/corridor_world.hpp>
 
-namespace slamicp {
+namespace slamicp::spline_path_test {
 namespace {
 
 TEST(SplinePath, TwoWaypointsMakeAStraightLine) {
@@ -89,4 +89,4 @@ TEST(SplinePath, FindsThePlaceBesideAPoint) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::spline_path_test

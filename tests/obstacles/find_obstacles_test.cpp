@@ -7,7 +7,7 @@
 
 #include "support/room.hpp"
 
-namespace slamicp {
+namespace slamicp::find_obstacles_test {
 namespace {
 
 struct Seen {
@@ -100,4 +100,4 @@ TEST(FindObstaclesTest, AbsurdOptionsAreRefused) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::find_obstacles_test

@@ -5,7 +5,7 @@
 
 #include "support/room.hpp"
 
-namespace slamicp {
+namespace slamicp::oriented_box_test {
 namespace {
 
 using test::pi;
@@ -84,4 +84,4 @@ TEST(SmallestBoxTest, OfFewPointsIsAsFlatAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::oriented_box_test

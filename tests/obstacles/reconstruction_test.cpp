@@ -7,7 +7,7 @@
 
 #include "support/room.hpp"
 
-namespace slamicp {
+namespace slamicp::reconstruction_test {
 namespace {
 
 /// The outline of a box as many scans of a run leave it.
@@ -75,4 +75,4 @@ TEST(ReconstructionTest, AbsurdOptionsAreRefused) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::reconstruction_test

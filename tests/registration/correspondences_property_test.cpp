@@ -6,7 +6,7 @@
 #include "support/brute_force.hpp"
 #include "support/clouds.hpp"
 
-namespace slamicp {
+namespace slamicp::correspondences_property_test {
 namespace {
 
 using test::Random;
@@ -102,4 +102,4 @@ TEST(CorrespondencesPropertyTest, APointThatStandsStillIsSearchedOnce) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::correspondences_property_test

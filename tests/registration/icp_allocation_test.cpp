@@ -6,7 +6,7 @@
 #include "support/allocations.hpp"
 #include "support/room.hpp"
 
-namespace slamicp {
+namespace slamicp::icp_allocation_test {
 namespace {
 
 using test::Random;
@@ -102,4 +102,4 @@ INSTANTIATE_TEST_SUITE_P(Sets, IcpAllocationTest, ::testing::ValuesIn(all_sets()
                          [](const auto& set) { return std::string(to_string(set.param)); });
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::icp_allocation_test

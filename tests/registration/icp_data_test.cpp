@@ -12,7 +12,7 @@
 #include "support/clouds.hpp"
 #include "support/data.hpp"
 
-namespace slamicp {
+namespace slamicp::icp_data_test {
 namespace {
 
 using IcpDataTest = test::DataTest;
@@ -120,4 +120,4 @@ TEST_F(IcpDataTest, BunnyPairIsAlignedFromTheIdentityAsPclDoesAndBothMethodsAgre
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::icp_data_test

@@ -8,7 +8,7 @@
 #include "support/clouds.hpp"
 #include "support/room.hpp"
 
-namespace slamicp {
+namespace slamicp::icp_gate_test {
 namespace {
 
 using test::wall;
@@ -104,4 +104,4 @@ TEST(IcpGateTest, AnUnmappedBoxBesideAWallDoesNotPullThePose) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::icp_gate_test

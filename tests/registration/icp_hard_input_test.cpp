@@ -6,7 +6,7 @@
 
 #include "support/clouds.hpp"
 
-namespace slamicp {
+namespace slamicp::icp_hard_input_test {
 namespace {
 
 using test::infinity;
@@ -197,4 +197,4 @@ TEST(IcpHardInputTest, AMapWithoutTheSurfacesNeededIsRefused) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::icp_hard_input_test

@@ -6,7 +6,7 @@
 
 #include "support/random.hpp"
 
-namespace slamicp {
+namespace slamicp::icp_options_test {
 namespace {
 
 using test::infinity;
@@ -44,4 +44,4 @@ TEST(IcpOptionsTest, LimitsThatMeetAreAllowed) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::icp_options_test

@@ -7,7 +7,7 @@
 #include "support/brute_force.hpp"
 #include "support/clouds.hpp"
 
-namespace slamicp {
+namespace slamicp::icp_outputs_test {
 namespace {
 
 using test::Random;
@@ -150,4 +150,4 @@ TEST(IcpOutputsTest, AlignOfTwoCloudsIsAnIcpOverTheirIndex) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::icp_outputs_test

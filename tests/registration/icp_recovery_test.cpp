@@ -5,7 +5,7 @@
 
 #include "support/clouds.hpp"
 
-namespace slamicp {
+namespace slamicp::icp_recovery_test {
 namespace {
 
 using test::Random;
@@ -235,4 +235,4 @@ TEST(IcpStepTest, EveryKernelStepsAsItsFormulaSays) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::icp_recovery_test

@@ -6,7 +6,7 @@
 
 #include "support/clouds.hpp"
 
-namespace slamicp {
+namespace slamicp::icp_sharing_test {
 namespace {
 
 using test::Random;
@@ -86,4 +86,4 @@ TEST(IcpSharingTest, AnIcpCanBeMoved) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::icp_sharing_test

@@ -9,7 +9,7 @@
 #include "support/brute_force.hpp"
 #include "support/room.hpp"
 
-namespace slamicp {
+namespace slamicp::icp_snapshots_test {
 namespace {
 
 using test::Random;
@@ -196,4 +196,4 @@ TEST(IcpSnapshotsTest, LinesAreThoseOfTheWholeMapThoughBuiltWhileItGrew) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::icp_snapshots_test

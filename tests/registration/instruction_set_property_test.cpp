@@ -6,7 +6,7 @@
 #include "support/brute_force.hpp"
 #include "support/room.hpp"
 
-namespace slamicp {
+namespace slamicp::instruction_set_property_test {
 namespace {
 
 using test::Random;
@@ -378,4 +378,4 @@ TEST(InstructionSetPropertyTest, PointToPointConvergesNearTheSamePose) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::instruction_set_property_test

@@ -7,7 +7,7 @@
 
 #include "support/clouds.hpp"
 
-namespace slamicp {
+namespace slamicp::instruction_set_test {
 namespace {
 
 constexpr InstructionSet all[] = {InstructionSet::best, InstructionSet::scalar, InstructionSet::portable,
@@ -100,4 +100,4 @@ TEST(InstructionSetTest, CoarseToFineComesToTheSamePose) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::instruction_set_test

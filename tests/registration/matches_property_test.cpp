@@ -7,7 +7,7 @@
 #include "support/brute_force.hpp"
 #include "support/clouds.hpp"
 
-namespace slamicp {
+namespace slamicp::matches_property_test {
 namespace {
 
 using test::Random;
@@ -137,4 +137,4 @@ TEST(MatchesPropertyTest, TenThousandScansInSpaceAreClassifiedAsBruteForceDoes) 
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::matches_property_test

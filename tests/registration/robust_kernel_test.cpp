@@ -3,7 +3,7 @@
 
 #include <slamicp/registration/robust_kernel.hpp>
 
-namespace slamicp {
+namespace slamicp::robust_kernel_test {
 namespace {
 
 constexpr RobustKernel kernels[] = {RobustKernel::none, RobustKernel::huber, RobustKernel::cauchy,
@@ -50,4 +50,4 @@ TEST(RobustKernelTest, OnlyTheRatioToTheScaleCounts) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::robust_kernel_test

@@ -8,7 +8,7 @@
 
 #include "support/random.hpp"
 
-namespace slamicp {
+namespace slamicp::odometry_calibration_test {
 namespace {
 
 /// A stretch of some twenty steps that turns to one side, by what `really` does with what its wheels turn.
@@ -107,4 +107,4 @@ TEST(OdometryCalibrationTest, RefusesAbsurdModels) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::odometry_calibration_test

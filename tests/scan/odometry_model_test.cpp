@@ -5,7 +5,7 @@
 
 #include "support/random.hpp"
 
-namespace slamicp {
+namespace slamicp::odometry_model_test {
 namespace {
 
 TEST(DifferentialDriveTest, GoesStraightAndTurnsOnTheSpot) {
@@ -83,4 +83,4 @@ TEST(OdometryModelTest, AbsurdModelsSayWhy) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::odometry_model_test

@@ -6,7 +6,7 @@
 
 #include "support/random.hpp"
 
-namespace slamicp {
+namespace slamicp::scan_points_test {
 namespace {
 
 using test::pi;
@@ -118,4 +118,4 @@ TEST(ScanProjectorTest, ScansAreJoinedOneAfterTheOther) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::scan_points_test

@@ -7,7 +7,7 @@
 #include "support/cell_worlds.hpp"
 #include "support/index_checks.hpp"
 
-namespace slamicp {
+namespace slamicp::cell_build_property_test {
 namespace {
 
 using test::Random;
@@ -188,4 +188,4 @@ TEST(CellBuildPropertyTest, TwoBuildersAndAReaderGetAlong) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::cell_build_property_test

@@ -7,7 +7,7 @@
 #include "support/cell_worlds.hpp"
 #include "support/index_checks.hpp"
 
-namespace slamicp {
+namespace slamicp::cell_index_property_test {
 namespace {
 
 using test::Random;
@@ -211,4 +211,4 @@ TEST(CellIndexPropertyTest, LinesAfterRemovalAreAsOfTheRest) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::cell_index_property_test

@@ -6,7 +6,7 @@
 
 #include "support/clouds.hpp"
 
-namespace slamicp {
+namespace slamicp::cell_options_test {
 namespace {
 
 /// Refused by words that begin with the option and hold a number to go by.
@@ -91,4 +91,4 @@ TEST(CellIndexTest, EveryVersionHasItsOwnId) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::cell_options_test

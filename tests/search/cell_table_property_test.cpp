@@ -6,7 +6,7 @@
 #include "support/brute_force.hpp"
 #include "support/cell_worlds.hpp"
 
-namespace slamicp {
+namespace slamicp::cell_table_property_test {
 namespace {
 
 using test::Random;
@@ -218,4 +218,4 @@ TEST(CellTablePropertyTest, TablesAreEmptyWhereNothingIsWithinReachAndSharedWher
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::cell_table_property_test

@@ -7,7 +7,7 @@
 #include "support/clouds.hpp"
 #include "support/index_checks.hpp"
 
-namespace slamicp {
+namespace slamicp::index_property_test {
 namespace {
 
 using test::Random;
@@ -97,4 +97,4 @@ TYPED_TEST(IndexPropertyTest, TiesGoToTheLowerIndexWhateverTheRounding) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::index_property_test

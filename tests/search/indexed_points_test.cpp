@@ -8,7 +8,7 @@
 
 #include "support/clouds.hpp"
 
-namespace slamicp {
+namespace slamicp::indexed_points_test {
 namespace {
 
 using test::Random;
@@ -180,4 +180,4 @@ TEST(SurfaceOptionsTest, AbsurdOnesAreRefusedWithAMend) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::indexed_points_test

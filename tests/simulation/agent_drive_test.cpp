@@ -7,7 +7,7 @@
 #include <slamicp/simulation/corridor_world.hpp>
 #include <slamicp/simulation/map_sampler.hpp>
 
-namespace slamicp {
+namespace slamicp::agent_drive_test {
 namespace {
 
 PointMap2::Pointer site_map() {
@@ -90,4 +90,4 @@ TEST(AgentDriveTest, RefusesAbsurdOptions) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::agent_drive_test

@@ -9,7 +9,7 @@
 #include <slamicp/simulation/map_sampler.hpp>
 #include <slamicp/navigation/spline_path.hpp>
 
-namespace slamicp {
+namespace slamicp::corridor_world_test {
 namespace {
 
 constexpr double robot_radius = 0.3;  // [m]
@@ -108,4 +108,4 @@ TEST(MapSampler, WithoutNoiseLiesOnTheWallsAndLeavesObstaclesOut) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::corridor_world_test

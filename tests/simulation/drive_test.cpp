@@ -6,7 +6,7 @@
 #include <slamicp/simulation/corridor_world.hpp>
 #include <slamicp/simulation/drive.hpp>
 
-namespace slamicp {
+namespace slamicp::drive_test {
 namespace {
 
 const PointCloud2 short_way = {{5.9, -4.2}, {5.9, -2.6}, {6.2, -1.0}};
@@ -83,4 +83,4 @@ TEST(Drive, RefusesOptionsThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::drive_test

@@ -9,7 +9,7 @@
 #include <slamicp/simulation/corridor_world.hpp>
 #include <slamicp/simulation/lidar.hpp>
 
-namespace slamicp {
+namespace slamicp::lidar_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -256,4 +256,4 @@ TEST(Lidar, ARealOneSwingsLosesAndMixesReadings) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::lidar_test

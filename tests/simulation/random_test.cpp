@@ -4,7 +4,7 @@
 
 #include <slamicp/simulation/random.hpp>
 
-namespace slamicp {
+namespace slamicp::random_test {
 namespace {
 
 TEST(Random, GivesThePublishedNumbersOfXoshiro256StarStar) {
@@ -78,4 +78,4 @@ TEST(Random, NormalHasTheMomentsAndTheTailsOfANormal) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::random_test

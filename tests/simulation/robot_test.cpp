@@ -5,7 +5,7 @@
 #include <slamicp/error.hpp>
 #include <slamicp/simulation/robot.hpp>
 
-namespace slamicp {
+namespace slamicp::robot_test {
 namespace {
 
 TEST(SimulatedRobotTest, AnIdealOneDoesAsItIsToldAfterTheDelay) {
@@ -57,4 +57,4 @@ TEST(SimulatedRobotTest, RefusesAbsurdModels) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::robot_test

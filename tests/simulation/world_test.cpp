@@ -5,7 +5,7 @@
 
 #include <slamicp/simulation/world.hpp>
 
-namespace slamicp {
+namespace slamicp::world_test {
 namespace {
 
 TEST(World, DistancesAreToTheSurface) {
@@ -39,4 +39,4 @@ TEST(World, AddedThingsAreObstaclesOfACopy) {
 }
 
 }  // namespace
-}  // namespace slamicp
+}  // namespace slamicp::world_test

@@ -36,7 +36,7 @@ inline std::string message(int channel, std::uint64_t nanoseconds, std::string_v
   return record(0x05, number(static_cast<std::uint64_t>(channel), 2) + number(0, 4) + number(nanoseconds, 8) +
                           number(nanoseconds, 8).append(body));
 }
-inline std::string end() { return record(0x0F, number(0, 4)) + record(0x02, number(0, 20)) + magic; }
+inline std::string end() { return record(0x0F, number(0, 4)) + record(0x02, number(0, 8) + number(0, 8) + number(0, 4)) + magic; }
 
 /// A chunk of records. `size` and `crc` are what it says of them.
 inline std::string chunk(std::string_view compression, const std::string& records, std::uint64_t size,
