@@ -17,7 +17,7 @@
 namespace slamicp::command {
 namespace {
 
-struct Words {
+struct AlignWords {
   std::string source, target, transform, outliers, merged, json;
   std::vector<double> initial_pose;
   double voxel = 0.0;
@@ -76,7 +76,7 @@ std::string outliers_csv(const IcpResult<D>& result) {
 }
 
 template <int D>
-void align_clouds(const Words& words, PointCloud<D> source, PointCloud<D> target, const Pose<D>& guess) {
+void align_clouds(const AlignWords& words, PointCloud<D> source, PointCloud<D> target, const Pose<D>& guess) {
   if (words.voxel > 0.0) {
     source = voxel_downsampled<D>(source, words.voxel);
     target = voxel_downsampled<D>(target, words.voxel);
@@ -108,7 +108,7 @@ void align_clouds(const Words& words, PointCloud<D> source, PointCloud<D> target
          ": give a better --initial-pose, or a larger --max-correspondence-distance");
 }
 
-void run(const Words& words) {
+void run(const AlignWords& words) {
   const Cloud source = load_cloud(words.source);
   const Cloud target = load_cloud(words.target);
   warn(source.warnings);
@@ -128,7 +128,7 @@ void run(const Words& words) {
 
 void add_align(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("align", "register two clouds, 2D or 3D");
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<AlignWords>();
   words->icp.max_iterations = 100;
   verb->add_option("SOURCE", words->source, "the cloud that moves: .csv .xyz .pcd .ply")->required();
   verb->add_option("TARGET", words->target, "the cloud that stays")->required();

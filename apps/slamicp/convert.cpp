@@ -17,7 +17,7 @@
 namespace slamicp::command {
 namespace {
 
-struct Words {
+struct ConvertWords {
   std::string in, out, json;
   bool ascii = false;
   double resolution = GridOptions{}.resolution;
@@ -26,7 +26,7 @@ struct Words {
 
 bool is_log_ending(const std::string& ending) { return ending == ".clf" || ending == ".log"; }
 
-void convert_log(const Words& words) {
+void convert_log(const ConvertWords& words) {
   const ScanLog log = open_scan_log(words.in, words.reading);
   warn(log.warnings);
   save_scan_log(words.out, log.scans);
@@ -35,7 +35,7 @@ void convert_log(const Words& words) {
   Talk{words.json}(format("%zu scans -> %s", log.size(), words.out.c_str()));
 }
 
-void convert_cloud(const Words& words) {
+void convert_cloud(const ConvertWords& words) {
   const Cloud cloud = load_cloud(words.in);
   warn(cloud.warnings);
   const auto encoding = words.ascii ? CloudEncoding::ascii : CloudEncoding::binary;
@@ -53,7 +53,7 @@ void convert_cloud(const Words& words) {
 }
 
 /// Cell by cell: what is free stays free.
-void convert_map(const Words& words) {
+void convert_map(const ConvertWords& words) {
   const OccupancyMap map = load_occupancy_map(words.in);
   warn(map.warnings);
   save_occupancy_map(words.out, map.grid);
@@ -66,7 +66,7 @@ void convert_map(const Words& words) {
   Talk{words.json}(format("%d x %d cells -> %s", map.grid.width, map.grid.height, words.out.c_str()));
 }
 
-void run(const Words& words) {
+void run(const ConvertWords& words) {
   const std::string out = std::filesystem::path(words.out).extension().string();
   const FileKind kind = kind_of(words.in);
   const bool in_is_log = kind == FileKind::scan_log;
@@ -84,7 +84,7 @@ void run(const Words& words) {
 void add_convert(CLI::App& program) {
   CLI::App* verb =
       program.add_subcommand("convert", "a log, a cloud or a map into another format, by file name ending");
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<ConvertWords>();
   verb->add_option("IN", words->in, std::string("log: ") + log_words + "; cloud or map: " + map_words)->required();
   verb->add_option("OUT", words->out, std::string("log: .clf .log (CARMEN), .csv (ranges); cloud or map: ") + map_words)
       ->required();

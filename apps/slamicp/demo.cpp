@@ -25,7 +25,7 @@
 namespace slamicp::command {
 namespace {
 
-struct Words {
+struct DemoWords {
   std::string out = "slamicp-demo", obstacle = "A1", json;
   std::uint64_t seed = 1;
 };
@@ -90,7 +90,7 @@ void save_pictures(const std::filesystem::path& folder, const RunRecord& record,
   }
 }
 
-void run(const Words& words) {
+void run(const DemoWords& words) {
   const std::filesystem::path folder(words.out);
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
@@ -172,7 +172,7 @@ void run(const Words& words) {
 void add_demo(CLI::App& program) {
   CLI::App* verb =
       program.add_subcommand("demo", "the main job on the embedded world: map, localize, find the obstacle");
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<DemoWords>();
   verb->add_option("--out", words->out, "folder for report, pictures, map and trajectories")
       ->capture_default_str()
       ->type_name("DIR");

@@ -17,28 +17,28 @@
 namespace slamicp::command {
 namespace {
 
-struct Words {
+struct EvaluateWords {
   std::string trajectory, truth, relations, json, align = "none";
   double distance = 1.0;
 };
 
-Json to_json(const TrajectoryError& error) {
-  return {{"translation", command::to_json(error.translation)},
-          {"rotation", command::to_json(error.rotation)},
+Json error_json(const TrajectoryError& error) {
+  return {{"translation", to_json(error.translation)},
+          {"rotation", to_json(error.rotation)},
           {"unmatched", error.unmatched}};
 }
-Json to_json(const RelationErrorStatistics& errors) {
-  return {{"translation", command::to_json(errors.translation)},
-          {"rotation_deg", command::to_json(errors.rotation_deg)}};
+Json error_json(const RelationErrorStatistics& errors) {
+  return {{"translation", to_json(errors.translation)}, {"rotation_deg", to_json(errors.rotation_deg)}};
 }
 
 /// Errors of the motion over each stretch of the path; nothing where the path is shorter.
-std::optional<TrajectoryError> over_stretches(const Words& words, const Trajectory& estimate, const Trajectory& truth) {
+std::optional<TrajectoryError> over_stretches(const EvaluateWords& words, const Trajectory& estimate,
+                                              const Trajectory& truth) {
   if (path_length(truth) < words.distance) return std::nullopt;
   return relative_error(estimate, truth, words.distance);
 }
 
-void against_truth(const Words& words) {
+void against_truth(const EvaluateWords& words) {
   static const std::map<std::string, Alignment> alignments{
       {"none", Alignment::none}, {"first", Alignment::first}, {"se2", Alignment::se2}};
   TrajectoryErrorOptions options;
@@ -51,10 +51,10 @@ void against_truth(const Words& words) {
                {"trajectory", words.trajectory},
                {"truth", words.truth},
                {"align", words.align},
-               {"T_truth_estimate", command::to_json(absolute.T_truth_estimate)},
-               {"absolute", to_json(absolute)}};
+               {"T_truth_estimate", to_json(absolute.T_truth_estimate)},
+               {"absolute", error_json(absolute)}};
   if (relative) {
-    summary["relative"] = to_json(*relative);
+    summary["relative"] = error_json(*relative);
     summary["relative"]["distance"] = words.distance;
     summary["relative"]["translation_per_metre"] = relative->translation.mean / words.distance;
     summary["relative"]["rotation_per_metre"] = relative->rotation.mean / words.distance;
@@ -71,13 +71,13 @@ void against_truth(const Words& words) {
     talk(format("no relative error: the true path is shorter than %g m", words.distance));
 }
 
-void against_relations(const Words& words) {
+void against_relations(const EvaluateWords& words) {
   const RelationError error = relation_error(load_trajectory(words.trajectory), load_relations(words.relations));
   write_json(words.json, {{"verb", "evaluate"},
                           {"trajectory", words.trajectory},
                           {"relations", words.relations},
-                          {"all", to_json(error.all)},
-                          {"over_60_s", to_json(error.long_spans)},
+                          {"all", error_json(error.all)},
+                          {"over_60_s", error_json(error.long_spans)},
                           {"not_found", error.not_found}});
   Talk{words.json}("relation error: " + error.brief());
 }
@@ -87,7 +87,7 @@ void against_relations(const Words& words) {
 void add_evaluate(CLI::App& program) {
   CLI::App* verb =
       program.add_subcommand("evaluate", "errors of a trajectory against the truth or a benchmark's relations");
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<EvaluateWords>();
   verb->add_option("TRAJECTORY", words->trajectory, "TUM file: stamp x y z qx qy qz qw")->required();
   CLI::Option* truth =
       verb->add_option("--truth", words->truth, "true poses: mean, RMSE, p95 and largest error")->type_name("TUM");

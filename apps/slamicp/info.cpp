@@ -19,7 +19,7 @@
 namespace slamicp::command {
 namespace {
 
-struct Words {
+struct InfoWords {
   std::string file, json;
   ScanLogOptions reading;
 };
@@ -142,7 +142,7 @@ void tell_scans(const ScanLog& log, const Talk& talk, Json& summary) {
                   {"odometry_path", facts.odometry_path}});
 }
 
-void tell_log(const Words& words) {
+void tell_log(const InfoWords& words) {
   ScanLogOptions reading = words.reading;
   if (reading.scan_topics.empty()) reading.scan_topics = {every_topic};
   const ScanLog log = open_scan_log(words.file, reading);
@@ -161,7 +161,7 @@ void tell_log(const Words& words) {
 }
 
 template <int D>
-void tell_points(const PointCloud<D>& points, const Cloud& cloud, const Words& words) {
+void tell_points(const PointCloud<D>& points, const Cloud& cloud, const InfoWords& words) {
   const Talk talk(words.json);
   const Bounds<D> bounds = bounds_of<D>(points);
   const double spacing = IndexedPoints<D>(points, {.neighbours = 0}).spacing();
@@ -196,7 +196,7 @@ Bounds<2> bounds_of(const OccupancyGrid& grid) {
   return bounds;
 }
 
-void tell_map(const Words& words) {
+void tell_map(const InfoWords& words) {
   const OccupancyMap map = load_occupancy_map(words.file);
   const OccupancyGrid& grid = map.grid;
   const CellCounts counts = count_cells(grid);
@@ -238,7 +238,7 @@ void tell_map(const Words& words) {
                           {"problems", map.warnings}});
 }
 
-void run(const Words& words) {
+void run(const InfoWords& words) {
   const FileKind kind = kind_of(words.file);
   if (kind == FileKind::scan_log) return tell_log(words);
   if (kind == FileKind::occupancy_map) return tell_map(words);
@@ -253,7 +253,7 @@ void run(const Words& words) {
 
 void add_info(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("info", "what a log, cloud or map holds, and what is wrong with it");
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<InfoWords>();
   verb->add_option("FILE", words->file, std::string("a log (") + log_words + ") or a cloud or map (" + map_words + ")")
       ->required();
   add_log_options(*verb, words->reading);

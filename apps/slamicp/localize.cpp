@@ -19,7 +19,7 @@
 namespace slamicp::command {
 namespace {
 
-struct Words {
+struct LocalizeWords {
   std::string log, map, trajectory, outliers, obstacles, metrics, update_map, report, json;
   std::optional<Pose2> initial_pose;
   std::optional<double> outlier_distance;
@@ -29,7 +29,7 @@ struct Words {
   bool calibrate_odometry = false;
 };
 
-LocalizerOptions localizer_options(const Words& words) {
+LocalizerOptions localizer_options(const LocalizeWords& words) {
   LocalizerOptions options;
   options.method = words.match.method;
   options.max_correspondence_distance = words.match.max_correspondence_distance;
@@ -45,7 +45,7 @@ LocalizerOptions localizer_options(const Words& words) {
 /// The files that get lines while the log is read; one that was not asked for is null.
 class Tables {
  public:
-  explicit Tables(const Words& words)
+  explicit Tables(const LocalizeWords& words)
       : outliers_(open<OutlierRow>(words.outliers)),
         obstacles_(open<ObstacleRow>(words.obstacles)),
         metrics_(open<MetricsRow>(words.metrics)) {}
@@ -110,7 +110,7 @@ class Tables {
   std::unique_ptr<CsvTable<MetricsRow>> metrics_;
 };
 
-Json summary(const Words& words, const RunRecord& record) {
+Json summary(const LocalizeWords& words, const RunRecord& record) {
   Json stops = Json::object();
   for (const auto& [stop, count] : record.stops) stops[to_string(stop)] = count;
   return {
@@ -131,7 +131,7 @@ Json summary(const Words& words, const RunRecord& record) {
       {"last_pose", to_json(record.trajectory.back().pose)}};
 }
 
-Json to_json(const OdometryCalibration<OdometryScale>& found) {
+Json calibration_json(const OdometryCalibration<OdometryScale>& found) {
   if (!found.determined) return {{"determined", false}};
   const auto value = [&](double is, std::size_t k) { return Json{{"value", is}, {"sigma", found.sigmas[k]}}; };
   return {{"determined", true},
@@ -152,7 +152,7 @@ std::string told(const OdometryCalibration<OdometryScale>& found) {
       found.sigmas[2], 1e3 * found.rms_before, 1e3 * found.rms_after);
 }
 
-void run(const Words& words) {
+void run(const LocalizeWords& words) {
   const ScanLog log = open_scan_log(words.log, words.reading);
   warn(log.warnings);
   if (log.empty()) throw Error("the log holds no scan", words.log, "see 'slamicp info'");
@@ -192,7 +192,7 @@ void run(const Words& words) {
   talk(record.brief());
   if (words.calibrate_odometry) {
     const OdometryCalibration<OdometryScale> found = wheels.calibration();
-    results["odometry_calibration"] = to_json(found);
+    results["odometry_calibration"] = calibration_json(found);
     talk(told(found));
   }
   write_json(words.json, results);
@@ -202,7 +202,7 @@ void run(const Words& words) {
 
 void add_localize(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("localize", "localize every scan of a log in a given map");
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<LocalizeWords>();
   verb->add_option("LOG", words->log, std::string("laser log: ") + log_words)->required();
   verb->add_option("--map", words->map, std::string("the map: ") + map_words)->required();
   add_pose(*verb, "--initial-pose", words->initial_pose, "where the robot starts in the map; default 0,0,0");

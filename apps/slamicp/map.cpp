@@ -17,7 +17,7 @@
 namespace slamicp::command {
 namespace {
 
-struct Words {
+struct MapWords {
   std::string log, out, trajectory, picture, json;
   ScanLogOptions reading;
   MatchOptions match;
@@ -28,7 +28,7 @@ struct Words {
   bool raw = false;
 };
 
-MapperOptions mapper_options(const Words& words) {
+MapperOptions mapper_options(const MapWords& words) {
   MapperOptions options = words.mapper;
   options.method = words.match.method;
   options.max_correspondence_distance = words.match.max_correspondence_distance;
@@ -41,7 +41,7 @@ MapperOptions mapper_options(const Words& words) {
   return options;
 }
 
-void draw(const Words& words, const Mapper& mapper, const PointMap2& map) {
+void draw(const MapWords& words, const Mapper& mapper, const PointMap2& map) {
   Picture picture({.title = "map of " + words.log});
   picture.points(map.points(), colours::map, 1.0, std::to_string(map.size()) + " map points");
   picture.path(mapper.trajectory(), colours::path, 1.2, "path");
@@ -50,7 +50,7 @@ void draw(const Words& words, const Mapper& mapper, const PointMap2& map) {
 }
 
 /// The map as it is asked for: points, or cells that the scans found occupied and free.
-void save(const Words& words, const PointMap2& map, const GridBuilder& builder, Json& summary) {
+void save(const MapWords& words, const PointMap2& map, const GridBuilder& builder, Json& summary) {
   if (!is_map_server(words.out)) return save_map(words.out, map);
   const OccupancyGrid grid = builder.grid();
   const CellCounts counts = count_cells(grid);
@@ -58,7 +58,7 @@ void save(const Words& words, const PointMap2& map, const GridBuilder& builder, 
   summary["cells"] = {{"occupied", counts.occupied}, {"free", counts.free}, {"unknown", counts.unknown}};
 }
 
-void run(const Words& words) {
+void run(const MapWords& words) {
   const ScanLog log = open_scan_log(words.log, words.reading);
   warn(log.warnings);
   Mapper mapper(mapper_options(words));
@@ -100,7 +100,7 @@ void run(const Words& words) {
 
 void add_map(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("map", "SLAM by scan matching: a map from a log");
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<MapWords>();
   verb->add_option("LOG", words->log, std::string("laser log: ") + log_words)->required();
   verb->add_option("--out", words->out, std::string("the map: ") + map_words)->required()->type_name("MAP");
   verb->add_option("--trajectory", words->trajectory, "poses T_map_robot, a line a scan")->type_name("TUM");

@@ -16,7 +16,7 @@
 namespace slamicp::command {
 namespace {
 
-struct Words {
+struct OdometryWords {
   std::string log, trajectory, picture, json;
   ScanLogOptions reading;
   MatchOptions match;
@@ -24,7 +24,7 @@ struct Words {
   bool no_deskew = false;
 };
 
-ScanOdometryOptions odometry_options(const Words& words) {
+ScanOdometryOptions odometry_options(const OdometryWords& words) {
   ScanOdometryOptions options = words.odometry;
   options.method = words.match.method;
   options.max_correspondence_distance = words.match.max_correspondence_distance;
@@ -39,7 +39,7 @@ void sample(const Fix& fix, PointCloud2& seen) {
   for (std::size_t k = 0; k < fix.scan.in_robot.size(); k += 10) seen.push_back(fix.pose * fix.scan.in_robot[k]);
 }
 
-void draw(const Words& words, const Trajectory& trajectory, const PointCloud2& seen) {
+void draw(const OdometryWords& words, const Trajectory& trajectory, const PointCloud2& seen) {
   Picture picture({.title = "odometry of " + words.log});
   picture.points(seen, colours::map, 0.6, "what was seen");
   picture.path(trajectory, colours::path, 1.2, "path");
@@ -47,7 +47,7 @@ void draw(const Words& words, const Trajectory& trajectory, const PointCloud2& s
   picture.save(words.picture);
 }
 
-void run(const Words& words) {
+void run(const OdometryWords& words) {
   const ScanLog log = open_scan_log(words.log, words.reading);
   warn(log.warnings);
   if (log.empty()) throw Error("the log holds no scan", words.log, "see 'slamicp info'");
@@ -84,7 +84,7 @@ void run(const Words& words) {
 
 void add_odometry(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("odometry", "scan odometry: without a map, without wheels");
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<OdometryWords>();
   verb->add_option("LOG", words->log, std::string("laser log: ") + log_words)->required();
   verb->add_option("--trajectory", words->trajectory, "poses T_start_robot, a line a scan")->type_name("TUM");
   verb->add_option("--picture", words->picture, "what was seen, and the path")->type_name("FILE.svg|.png");

@@ -17,12 +17,12 @@
 namespace slamicp::command {
 namespace {
 
-struct Words {
+struct SimulateWords {
   std::string out, world = "corridor", route = "reference", obstacle, truth, map_out, json;
   DriveOptions drive;
 };
 
-void run(const Words& words) {
+void run(const SimulateWords& words) {
   if (words.world != "corridor")
     throw Error("there is no world '" + words.world + "'", "--world", "the worlds are: corridor");
   const World empty = corridor_world();
@@ -56,7 +56,7 @@ void run(const Words& words) {
 
 void add_simulate(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("simulate", "a log from a simulated robot, with the truth");
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<SimulateWords>();
   verb->add_option("--out", words->out, "the log: .clf .log (CARMEN, with odometry), .csv (ranges)")
       ->required()
       ->type_name("LOG");

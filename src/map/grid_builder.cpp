@@ -12,12 +12,6 @@
 namespace slamicp {
 namespace {
 
-struct Tally {
-  std::uint32_t ended = 0;     ///< rays
-  std::uint32_t passed = 0;    ///< rays
-  std::uint32_t ended_in = 0;  ///< the last scan that had a ray end here, counted from 1
-};
-
 /// Walks from cell to cell along a ray (Amanatides and Woo 1987, "A Fast Voxel Traversal Algorithm for Ray Tracing"),
 /// to the cell before the last. Both ends in cells, none of them below 0.
 /// @param strides  from a cell to the next column, and to the next row
@@ -49,6 +43,12 @@ void walk(const Point2& from, const Point2& to, const std::array<std::ptrdiff_t,
 /// Counts for the cells of a rectangle that grows.
 class GridBuilder::Tallies {
  public:
+  struct Tally {
+    std::uint32_t ended = 0;     ///< rays
+    std::uint32_t passed = 0;    ///< rays
+    std::uint32_t ended_in = 0;  ///< the last scan that had a ray end here, counted from 1
+  };
+
   explicit Tallies(const GridOptions& options) : frame_(options) {}
 
   const GridFrame& frame() const noexcept { return frame_; }
@@ -173,7 +173,7 @@ OccupancyGrid GridBuilder::grid() const {
   for (int row = 0; row < grid.height; ++row)
     for (int column = 0; column < grid.width; ++column) {
       const Point2 cell = first + Point2(column, row);
-      const Tally tally = tallies_->tally(cell);
+      const Tallies::Tally tally = tallies_->tally(cell);
       const double rays = static_cast<double>(tally.ended) + static_cast<double>(tally.passed);
       const bool is_behind = tally.passed == 0 && tallies_->is_outshone(cell, options_.occupied_share);
       if (rays == 0.0 || is_behind) continue;

@@ -29,17 +29,17 @@ struct Residents {
 
 /// The points that can be found, by tile; numbers rising.
 std::vector<Residents> by_tile(PointView<2> points, const TileGrid& grid) {
-  constexpr std::uint32_t nowhere = ~0U;
+  constexpr std::uint32_t no_tile = ~0U;
   std::vector<Residents> tiles;
   std::vector<std::uint32_t> counts;
-  std::vector<std::uint32_t> tile_of(points.size(), nowhere);
+  std::vector<std::uint32_t> tile_of(points.size(), no_tile);
   std::unordered_map<TilePlace, std::uint32_t, HashPlace> known;
   TilePlace last;
-  std::uint32_t last_tile = nowhere;
+  std::uint32_t last_tile = no_tile;
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!can_be_found(points[k])) continue;
     const TilePlace place = grid.place_of(points[k]);
-    if (last_tile == nowhere || place != last) {
+    if (last_tile == no_tile || place != last) {
       const auto [found, is_new] = known.try_emplace(place, static_cast<std::uint32_t>(tiles.size()));
       if (is_new) {
         tiles.push_back({place, {}});
@@ -53,7 +53,7 @@ std::vector<Residents> by_tile(PointView<2> points, const TileGrid& grid) {
   }
   for (std::size_t tile = 0; tile < tiles.size(); ++tile) tiles[tile].numbers.reserve(counts[tile]);
   for (std::size_t k = 0; k < points.size(); ++k)
-    if (tile_of[k] != nowhere) tiles[tile_of[k]].numbers.push_back(static_cast<int>(k));
+    if (tile_of[k] != no_tile) tiles[tile_of[k]].numbers.push_back(static_cast<int>(k));
   return tiles;
 }
 

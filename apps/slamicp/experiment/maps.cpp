@@ -174,7 +174,7 @@ std::vector<std::string> cells(const Row& row) {
           format("%.3f", deg_per_rad * error.rotation)};
 }
 
-Json to_json(const Row& row) {
+Json match_json(const Row& row) {
   const PoseDistance error = distance(row.pair.result.pose, row.pair.scans.truth);
   return {{"figures", row.figures},
           {"M", row.pair.scans.M.size()},
@@ -211,7 +211,7 @@ Json run_maps(const ExperimentWords& words, const ExperimentSite& site, const Fo
   Json results = Json::array();
   for (const Row& row : pairs) {
     rows.push_back(cells(row));
-    results.push_back(to_json(row));
+    results.push_back(match_json(row));
     talk(format("%-9s M %zu, T %zu: %zu inliers, %zu outliers; map of all points %zu, of outliers only %zu",
                 row.figures, row.pair.scans.M.size(), row.pair.scans.T.size(), row.pair.result.inliers,
                 row.pair.result.outlier_indices.size(), row.pair.all_points_map.size(),

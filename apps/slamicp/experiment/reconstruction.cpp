@@ -100,7 +100,7 @@ std::vector<std::string> cells(const Reconstruction& made) {
           made.measured()};
 }
 
-Json to_json(const Reconstruction& made) {
+Json thing_json(const Reconstruction& made) {
   return {{"obstacle", made.placed.name},
           {"outlier_distance", made.drive.plan.outlier_distance},
           {"outliers", made.drive.outliers.size()},
@@ -119,7 +119,7 @@ void add_figure(const ExperimentSite& site, const Reconstruction& made, const Fo
   page.figure(picture.svg(), format("%s, outlier distance %.1f m: ", name, distance) + made.measured());
 }
 
-void introduce(Page& page, const ExperimentSite& site) {
+void introduce_reconstruction(Page& page, const ExperimentSite& site) {
   tell_what_is_simulated(page, site);
   page.paragraph(
       "The outliers of all scans of a drive at 0.35 m/s, in the map; a point is kept that has 30 others within 2 cm. "
@@ -137,7 +137,7 @@ void introduce(Page& page, const ExperimentSite& site) {
 Json run_reconstruction(const ExperimentWords& words, const ExperimentSite& site, const Folder& folder,
                         const Talk& talk) {
   Page page("Figure 16: obstacles rebuilt from the outliers of a drive");
-  introduce(page, site);
+  introduce_reconstruction(page, site);
   std::vector<std::vector<std::string>> rows{
       {"obstacle", "true size", "outlier distance m", "outliers", "after the filter", "measured"}};
   std::string csv = csv_header;
@@ -150,7 +150,7 @@ Json run_reconstruction(const ExperimentWords& words, const ExperimentSite& site
                   outlier_distance, made.measured().c_str()));
       if (!made.thing) continue;
       csv += csv_row(made);
-      things.push_back(to_json(made));
+      things.push_back(thing_json(made));
       add_figure(site, made, folder, page);
     }
   }

@@ -37,13 +37,13 @@ std::string csv_row(const std::string& obstacle, const char* letter, const Drive
                 view.pose.y, view.pose.theta, view.inliers.size(), view.outliers.size());
 }
 
-Json to_json(const std::string& obstacle, const char* letter, const DriveView& view) {
+Json view_json(const std::string& obstacle, const char* letter, const DriveView& view) {
   return {{"obstacle", obstacle},           {"label", letter},
-          {"travelled", view.travelled},    {"pose", command::to_json(view.pose)},
+          {"travelled", view.travelled},    {"pose", to_json(view.pose)},
           {"inliers", view.inliers.size()}, {"outliers", view.outliers.size()}};
 }
 
-void introduce(Page& page, const ExperimentSite& site) {
+void introduce_snapshots(Page& page, const ExperimentSite& site) {
   tell_what_is_simulated(page, site);
   page.paragraph(
       "The robot follows the reference path at 0.35 m/s. (a) it is about to enter the main corridor, (b) it has "
@@ -57,7 +57,7 @@ void introduce(Page& page, const ExperimentSite& site) {
 
 Json run_snapshots(const ExperimentWords& words, const ExperimentSite& site, const Folder& folder, const Talk& talk) {
   Page page("Figures 10 and 13: what the map does not know, seen from three places");
-  introduce(page, site);
+  introduce_snapshots(page, site);
   std::string csv = "obstacle,label,travelled_m,x,y,theta,inliers,outliers\n";
   Json views = Json::array();
   for (const std::string& obstacle : words.obstacles_or({"A2", "B2"})) {
@@ -73,7 +73,7 @@ Json run_snapshots(const ExperimentWords& words, const ExperimentSite& site, con
       page.figure(picture.svg(), format("(%s) ", letters[k]) + told);
       talk(format("%-9s (%s) ", obstacle.c_str(), letters[k]) + told);
       csv += csv_row(obstacle, letters[k], view);
-      views.push_back(to_json(obstacle, letters[k], view));
+      views.push_back(view_json(obstacle, letters[k], view));
     }
   }
   folder.save_text("snapshots.csv", csv);

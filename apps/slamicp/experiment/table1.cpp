@@ -239,7 +239,7 @@ OutlierCost cost_of(const ExperimentSite& site, const std::vector<Table1Row>& ro
   return outlier_cost(site, record_drive(site, plan), without, 5, now);
 }
 
-Json to_json(const Table1Row& row, bool times) {
+Json row_json(const Table1Row& row, bool times) {
   Json json{{"obstacle", name_of_obstacle(row.obstacle)},
             {"most_outliers", row.most_outliers},
             {"scans", row.scans},
@@ -330,7 +330,7 @@ Json run_table1(const ExperimentWords& words, const ExperimentSite& site, const 
   folder.save_text("table1.csv", counts_csv(rows));
 
   Json list = Json::array();
-  for (const Table1Row& row : rows) list.push_back(to_json(row, words.times));
+  for (const Table1Row& row : rows) list.push_back(row_json(row, words.times));
   Json summary{{"every", words.every}, {"runs", words.runs}, {"rows", list}};
   if (words.times) add_times(rows, cost_of(site, rows, words.seed), page, folder, summary, talk);
   folder.save_text("table1.html", page.html());

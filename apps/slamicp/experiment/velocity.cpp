@@ -151,7 +151,7 @@ void tell(Page& page, const std::vector<Series>& all, const std::vector<Finding>
       "mean stays what it is.");
 }
 
-Json to_json(const Series& series, const Finding& found) {
+Json series_json(const Series& series, const Finding& found) {
   return {{"obstacle", name_of_obstacle(series.obstacle)},
           {"outliers_between_speeds", found.outliers.between_groups},
           {"outliers_run_to_run", found.outliers.within_groups},
@@ -184,7 +184,7 @@ void add_figures(const Series& series, const Series& none, const ExperimentWords
   page.figure(distances.svg(), second + "the mean inlier distance along the path.");
 }
 
-void introduce(Page& page, const ExperimentSite& site, const ExperimentWords& words) {
+void introduce_velocity(Page& page, const ExperimentSite& site, const ExperimentWords& words) {
   tell_what_is_simulated(page, site);
   page.paragraph(format(
       "The robot follows the reference path at %zu speeds, %d times each, without an obstacle and with each one. (a), "
@@ -205,13 +205,13 @@ Json run_velocity(const ExperimentWords& words, const ExperimentSite& site, cons
     for (const std::string& obstacle : obstacles) all.push_back(drive(site, obstacle, words, progress));
   }
   Page page("Figures 11, 12, 14, 15: what speed changes");
-  introduce(page, site, words);
+  introduce_velocity(page, site, words);
   std::vector<Finding> findings;
   Json list = Json::array();
   for (const Series& series : all) {
     findings.push_back(finding_of(series, all.front()));
     const Finding& found = findings.back();
-    list.push_back(to_json(series, found));
+    list.push_back(series_json(series, found));
     talk(format(
         "%-9s outliers differ by %.2f between speeds, %.2f from run to run; mean inlier distance %.2f mm (%+.1f %%)",
         name_of_obstacle(series.obstacle).c_str(), found.outliers.between_groups, found.outliers.within_groups,
