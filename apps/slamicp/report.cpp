@@ -52,7 +52,7 @@ std::string chart(const RunRecord& record, double ScanRecord::*field, const std:
 /// An SVG file as a part of a page: without its XML header.
 std::string inline_svg(const std::string& svg) { return svg.substr(std::min(svg.find("<svg"), svg.size())); }
 
-constexpr const char* style =
+constexpr const char* report_style =
     "body{font:15px/1.5 system-ui,sans-serif;color:#222;max-width:940px;margin:2em auto;padding:0 1em}"
     "h1{font-size:1.5em}h2{font-size:1.15em;margin-top:2em}table{border-collapse:collapse}"
     "th{text-align:left;font-weight:500;color:#555;padding:.15em 1.5em .15em 0}td{font-variant-numeric:tabular-nums}"
@@ -130,7 +130,7 @@ void write_report(const std::string& file, const RunRecord& record) {
     stops += format("%s%zu %s", stops.empty() ? "" : ", ", count, to_string(stop));
   std::string page =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>slamicp: " + escaped(record.log) +
-      "</title><style>" + style + "</style></head><body>\n<h1>" + escaped(record.log) + " in " +
+      "</title><style>" + report_style + "</style></head><body>\n<h1>" + escaped(record.log) + " in " +
       escaped(record.map_file) + "</h1>\n<table>\n";
   page += row("scans", format("%zu: ", record.scans.size()) + stops);
   page += row("map", format("%zu points", record.map->size()));

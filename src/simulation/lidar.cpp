@@ -11,7 +11,7 @@ namespace slamicp {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_return = std::numeric_limits<double>::infinity();
 
 double cross(const Point2& a, const Point2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -35,7 +35,7 @@ class Fan {
   Fan(const LidarModel& lidar, const Pose2& T_first_last, std::vector<double>& ranges)
       : angle_min_(lidar.angle_min), angle_increment_(lidar.angle_increment), ranges_(ranges) {
     const auto beams = static_cast<std::size_t>(lidar.beams);
-    ranges_.assign(beams, infinity);
+    ranges_.assign(beams, no_return);
     directions_.resize(beams);
     origins_.assign(beams, Point2::Zero());
     const double last = std::max(1.0, static_cast<double>(beams) - 1.0);

@@ -8,7 +8,7 @@
 namespace slamicp::command {
 namespace {
 
-constexpr const char* style =
+constexpr const char* page_style =
     "body{font:15px/1.5 system-ui,sans-serif;color:#222;max-width:960px;margin:2em auto;padding:0 1em}"
     "h1{font-size:1.5em}h2{font-size:1.15em;margin-top:2em}table{border-collapse:collapse;margin:1em 0}"
     "th,td{padding:.2em .9em .2em 0;text-align:right;font-variant-numeric:tabular-nums}"
@@ -68,7 +68,7 @@ Page& Page::figure(const std::string& svg, const std::string& caption) {
 
 std::string Page::html() const {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title_ + "</title><style>" +
-         style + "</style></head><body>\n<h1>" + title_ + "</h1>\n" + body_ + "<p>Written by slamicp " + version +
+         page_style + "</style></head><body>\n<h1>" + title_ + "</h1>\n" + body_ + "<p>Written by slamicp " + version +
          ". The paper: Clotet, Palacín, SLAMICP Library, Sensors 2023, 23(15), 6841.</p>\n</body></html>\n";
 }
 
