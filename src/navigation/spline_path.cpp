@@ -41,14 +41,27 @@ PointCloud2 natural_second_derivatives(const PointCloud2& knots, const std::vect
   return second;
 }
 
-struct CurvePoint {
+double cross(const Point2& a, const Point2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
+
+}  // namespace
+
+/// A point of the curve, and its derivatives by the chord length.
+struct SplinePath::CurvePoint {
   Point2 position;
   Point2 derivative;
   Point2 second_derivative;
+
+  static CurvePoint of(const PointCloud2& knots, const std::vector<double>& parameters, const PointCloud2& second,
+                       double parameter) noexcept;
+
+  double curvature() const noexcept {
+    const double speed = derivative.norm();
+    return speed > 0.0 ? cross(derivative, second_derivative) / (speed * speed * speed) : 0.0;
+  }
 };
 
-CurvePoint evaluate(const PointCloud2& knots, const std::vector<double>& parameters, const PointCloud2& second,
-                    double parameter) noexcept {
+SplinePath::CurvePoint SplinePath::CurvePoint::of(const PointCloud2& knots, const std::vector<double>& parameters,
+                                                  const PointCloud2& second, double parameter) noexcept {
   const auto beyond = std::upper_bound(parameters.begin() + 1, parameters.end() - 1, parameter);
   const auto i = static_cast<std::size_t>(beyond - parameters.begin());
   const double width = parameters[i] - parameters[i - 1];
@@ -60,8 +73,6 @@ CurvePoint evaluate(const PointCloud2& knots, const std::vector<double>& paramet
                             ((1.0 - 3.0 * a * a) * second[i - 1] + (3.0 * b * b - 1.0) * second[i]) * (width / 6.0);
   return {position, derivative, a * second[i - 1] + b * second[i]};
 }
-
-}  // namespace
 
 SplinePath::SplinePath(std::span<const Point2> waypoints) {
   check(waypoints);
@@ -77,33 +88,31 @@ SplinePath::SplinePath(std::span<const Point2> waypoints) {
   Point2 previous = knots_.front();
   for (std::size_t i = 1; i <= steps; ++i) {
     const double parameter = static_cast<double>(i) * table_step_;
-    const Point2 position = evaluate(knots_, parameters_, second_derivatives_, parameter).position;
+    const Point2 position = CurvePoint::of(knots_, parameters_, second_derivatives_, parameter).position;
     distances_.push_back(distances_.back() + (position - previous).norm());
     previous = position;
   }
+  for (std::size_t k = 0; static_cast<double>(k) * place_spacing < length(); ++k)
+    places_.push_back(curve_at(static_cast<double>(k) * place_spacing).position);
+  places_.push_back(knots_.back());
 }
 
-double SplinePath::parameter_at(double distance) const noexcept {
+SplinePath::CurvePoint SplinePath::curve_at(double distance) const noexcept {
   const double wanted = std::clamp(distance, 0.0, length());
   const auto beyond = std::upper_bound(distances_.begin() + 1, distances_.end() - 1, wanted);
   const auto i = static_cast<std::size_t>(beyond - distances_.begin());
   const double gap = distances_[i] - distances_[i - 1];
   const double share = gap > 0.0 ? (wanted - distances_[i - 1]) / gap : 0.0;
-  return (static_cast<double>(i - 1) + share) * table_step_;
+  const double parameter = (static_cast<double>(i - 1) + share) * table_step_;
+  return CurvePoint::of(knots_, parameters_, second_derivatives_, parameter);
 }
 
 Pose2 SplinePath::at(double distance) const noexcept {
-  const CurvePoint here = evaluate(knots_, parameters_, second_derivatives_, parameter_at(distance));
+  const CurvePoint here = curve_at(distance);
   return {here.position.x(), here.position.y(), wrap_angle(std::atan2(here.derivative.y(), here.derivative.x()))};
 }
 
-double SplinePath::curvature(double distance) const noexcept {
-  const CurvePoint here = evaluate(knots_, parameters_, second_derivatives_, parameter_at(distance));
-  const double speed = here.derivative.norm();
-  const double cross =
-      here.derivative.x() * here.second_derivative.y() - here.derivative.y() * here.second_derivative.x();
-  return speed > 0.0 ? cross / (speed * speed * speed) : 0.0;
-}
+double SplinePath::curvature(double distance) const noexcept { return curve_at(distance).curvature(); }
 
 std::vector<Pose2> SplinePath::sampled(double spacing) const {
   if (!(spacing > 0.0)) throw Error("the spacing must be above 0 m", "SplinePath::sampled", "0.02 m is fine");
@@ -116,26 +125,32 @@ std::vector<Pose2> SplinePath::sampled(double spacing) const {
 }
 
 PathPlace SplinePath::nearest(const Point2& point, double from, double to) const noexcept {
-  // Coarse, then fine around the best: between neighbours of the coarse steps a path has one nearest place.
-  constexpr double coarse = 0.05;
-  constexpr double finest = 1e-5;
   const double lower = std::clamp(from, 0.0, length());
   const double upper = std::clamp(to, lower, length());
-  const auto squared_distance = [&](double distance) { return (at(distance).translation() - point).squaredNorm(); };
-  double best = lower;
-  double least = squared_distance(lower);
-  for (double distance = lower; distance < upper + coarse; distance += coarse)
-    if (const double here = squared_distance(std::min(distance, upper)); here < least) {
-      best = std::min(distance, upper);
-      least = here;
-    }
-  for (double step = 0.5 * coarse; step > finest; step *= 0.5)
-    for (const double beside : {std::max(lower, best - step), std::min(upper, best + step)})
-      if (const double here = squared_distance(beside); here < least) {
-        best = beside;
-        least = here;
-      }
-  return {best, (at(best).inverse() * point).y()};
+  // Coarse, by the places; then Newton's steps around the best.
+  const auto last = std::min(static_cast<std::size_t>(std::ceil(upper / place_spacing)), places_.size() - 1);
+  auto best = std::min(static_cast<std::size_t>(lower / place_spacing), last);
+  for (std::size_t k = best + 1; k <= last; ++k)
+    if ((places_[k] - point).squaredNorm() < (places_[best] - point).squaredNorm()) best = k;
+  constexpr int most_steps = 12;
+  constexpr double finest = 1e-7;          // [m]
+  constexpr double least_curvature = 0.5;  // of the squared distance, halved: near a curve's centre steps stay short
+  const double coarse = static_cast<double>(best) * place_spacing;
+  const double first = std::max(lower, coarse - place_spacing);
+  const double end = std::max(first, std::min(upper, coarse + place_spacing));
+  double distance = std::clamp(coarse, first, end);
+  CurvePoint here = curve_at(distance);
+  for (int step = 0; step < most_steps; ++step) {
+    const Point2 along = here.derivative.normalized();
+    const Point2 off = point - here.position;
+    const double curvature = std::max(1.0 - here.curvature() * cross(along, off), least_curvature);
+    const double next = std::clamp(distance + along.dot(off) / curvature, first, end);
+    const bool there = std::abs(next - distance) < finest;
+    distance = next;
+    here = curve_at(distance);
+    if (there) break;
+  }
+  return {distance, cross(here.derivative.normalized(), point - here.position)};
 }
 
 }  // namespace slamicp

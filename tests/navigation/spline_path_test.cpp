@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include <slamicp/error.hpp>
 #include <slamicp/navigation/spline_path.hpp>
 #include <slamicp/simulation/corridor_world.hpp>
+
+#include "support/random.hpp"
 
 namespace slamicp::spline_path_test {
 namespace {
@@ -86,6 +89,32 @@ TEST(SplinePath, FindsThePlaceBesideAPoint) {
       ASSERT_NEAR(place.cross_track, aside, 1e-6);
     }
   EXPECT_EQ(path.nearest(path.at(0.0) * Point2(-1.0, 0.0), -1.0, 1.0).distance, 0.0);
+}
+
+TEST(SplinePath, NoPlaceIsNearerThanTheNearest) {
+  const SplinePath path(route(corridor_world(), "reference").waypoints);
+  test::Random random(3);
+  for (int k = 0; k < 500; ++k) {
+    const double from = random.uniform(-0.5, path.length());
+    const double to = from + random.uniform(0.0, 1.5);
+    const Point2 point = path.at(random.uniform(from, to)).translation() + random.point<2>(0.4);
+    const PathPlace place = path.nearest(point, from, to);
+    EXPECT_GE(place.distance, std::clamp(from, 0.0, path.length()));
+    EXPECT_LE(place.distance, std::clamp(to, 0.0, path.length()));
+    const double distance = (path.at(place.distance).translation() - point).norm();
+    for (double other = std::max(from, 0.0); other < std::min(to, path.length()); other += 0.003)
+      ASSERT_GE((path.at(other).translation() - point).norm(), distance - 1e-6);
+  }
+}
+
+TEST(SplinePath, PlacesAreThePathAtEqualSteps) {
+  const SplinePath path(route(corridor_world(), "reference").waypoints);
+  const PointView<2> places = path.places();
+  ASSERT_EQ(places.size(), static_cast<std::size_t>(std::ceil(path.length() / SplinePath::place_spacing)) + 1);
+  for (std::size_t k = 0; k < places.size(); ++k)
+    EXPECT_LT((places[k] - path.at(static_cast<double>(k) * SplinePath::place_spacing).translation()).norm(), 1e-12);
+  const PointCloud2 short_way = {{0.0, 0.0}, {0.01, 0.0}};
+  EXPECT_EQ(SplinePath(short_way).places().size(), 2U);
 }
 
 }  // namespace

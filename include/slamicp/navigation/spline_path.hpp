@@ -31,6 +31,12 @@ class SplinePath {
   /// How much it bends there, positive to the left [1/m].
   double curvature(double distance) const noexcept;
 
+  /// From one of places() to the next, along the curve [m]; to the last one less.
+  static constexpr double place_spacing = 0.05;
+  /// The whole way as a polyline, from the start to the end. In the sharpest curve that a robot takes, its chords are a
+  /// millimetre off.
+  PointView<2> places() const noexcept { return places_; }
+
   /// The whole way in steps of `spacing` [m], > 0, and the end. Throws Error for a spacing that is none.
   std::vector<Pose2> sampled(double spacing) const;
 
@@ -39,13 +45,15 @@ class SplinePath {
   PathPlace nearest(const Point2& point, double from, double to) const noexcept;
 
  private:
-  double parameter_at(double distance) const noexcept;
+  struct CurvePoint;
+  CurvePoint curve_at(double distance) const noexcept;
 
   PointCloud2 knots_;
   std::vector<double> parameters_;  // chord length at each knot
   PointCloud2 second_derivatives_;  // at each knot, by chord length
   std::vector<double> distances_;   // arc length, tabled at equal steps of the chord length
   double table_step_ = 0.0;
+  PointCloud2 places_;
 };
 
 }  // namespace slamicp
