@@ -5,6 +5,11 @@
 #include "agent/self_localization.hpp"
 
 namespace slamicp {
+namespace {
+
+constexpr std::size_t usual_obstacles = 32;  // at once; for more, memory is laid out as they come
+
+}  // namespace
 
 std::string AgentOptions::problem() const {
   for (const std::string& problem :
@@ -19,7 +24,7 @@ struct Agent::State {
         Clock given)
       : localization(std::move(how)),
         tracker(std::move(path), options.tracking),
-        detection(options.detection),
+        finder(options.detection),
         evaluation(options.evaluation),
         clock(std::move(given)) {}
 
@@ -32,29 +37,39 @@ struct Agent::State {
   }
 
   void step(const LaserScan& scan);
+  void lay_out(std::size_t beams);
   void track();
 
   std::unique_ptr<SelfLocalization> localization;
   PathTracker tracker;
-  ObstacleOptions detection;
+  ObstacleFinder finder;
   ObstacleEvaluation evaluation;
   Clock clock;
   Cycle cycle;
+  std::size_t most_beams = 0;  // of a scan so far
 };
 
 void Agent::State::step(const LaserScan& scan) {
-  std::vector<Obstacle> found;
+  if (scan.ranges.size() > most_beams) lay_out(scan.ranges.size());
+  std::span<const Obstacle> found;
   cycle.times.localization = timed([&] { localization->localize(scan); });
   cycle.fix = &localization->fix();
   cycle.times.path_tracking = timed([&] { track(); });
   cycle.times.obstacle_detection = timed([&] {
     localization->find_discrepancies();
-    found = find_obstacles(*cycle.fix, scan, detection);
+    found = finder.find(*cycle.fix, scan);
   });
   cycle.times.obstacle_evaluation =
       timed([&] { evaluation.update(tracker.path(), cycle.tracking.travelled, *cycle.fix, found); });
   cycle.obstacles = evaluation.obstacles();
   cycle.decision = evaluation.decision();
+}
+
+/// Memory for this scan and all to come that are no larger.
+void Agent::State::lay_out(std::size_t beams) {
+  finder.reserve(usual_obstacles, beams);
+  evaluation.reserve(usual_obstacles, beams);
+  most_beams = beams;
 }
 
 void Agent::State::track() {

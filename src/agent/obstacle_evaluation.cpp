@@ -10,7 +10,6 @@ namespace slamicp {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double path_step = 0.05;  // of the way ahead that points are held against [m]
 
 /// Where a point is beside the way ahead.
 struct Place {
@@ -21,16 +20,14 @@ struct Place {
 
 }  // namespace
 
-/// A stretch of a path as a polyline: a scan's points are many, and each is held against all of it. In the sharpest
-/// curve that a robot takes, its chords are a millimetre off.
+/// A stretch of a path's polyline: a scan's points are many, and each is held against all of it.
 class ObstacleEvaluation::WayAhead {
  public:
-  WayAhead(const SplinePath& path, double from, double to) {
-    const double end = std::min(to, path.length());
-    for (double distance = from; distance < end; distance += path_step)
-      places_.push_back(path.at(distance).translation());
-    places_.push_back(path.at(end).translation());
-    if (places_.size() == 1) places_.insert(places_.begin(), path.at(end - path_step).translation());
+  WayAhead(const SplinePath& path, double from, double to) noexcept : from_(std::clamp(from, 0.0, path.length())) {
+    const PointView<2> all = path.places();
+    first_ = std::min(static_cast<std::size_t>(from_ / SplinePath::place_spacing), all.size() - 2);
+    const auto last = static_cast<std::size_t>(std::ceil(std::max(from_, to) / SplinePath::place_spacing));
+    places_ = all.subspan(first_, std::clamp(last, first_ + 1, all.size() - 1) - first_ + 1);
   }
 
   Place nearest(const Point2& point) const noexcept {
@@ -48,18 +45,21 @@ class ObstacleEvaluation::WayAhead {
   }
 
  private:
-  /// Beside the chord from place k - 1 to place k.
+  /// Beside the chord from place k - 1 to place k, of the first one what is ahead.
   Place beside(std::size_t k, const Point2& point) const noexcept {
     const Point2 chord = places_[k] - places_[k - 1];
     const Point2 off = point - places_[k - 1];
     const double length = chord.norm();
-    if (!(length > 0.0)) return {static_cast<double>(k - 1) * path_step, 0.0, off.norm()};
-    const double along = std::clamp(chord.dot(off) / length, 0.0, length);
-    return {static_cast<double>(k - 1) * path_step + along, (chord.x() * off.y() - chord.y() * off.x()) / length,
+    const double start = static_cast<double>(first_ + k - 1) * SplinePath::place_spacing;
+    if (!(length > 0.0)) return {start - from_, 0.0, off.norm()};
+    const double along = std::clamp(chord.dot(off) / length, std::clamp(from_ - start, 0.0, length), length);
+    return {start + along - from_, (chord.x() * off.y() - chord.y() * off.x()) / length,
             (off - along / length * chord).norm()};
   }
 
-  PointCloud2 places_;
+  double from_;
+  std::size_t first_;
+  PointView<2> places_;
 };
 
 const char* to_string(Decision decision) noexcept {
@@ -89,34 +89,55 @@ ObstacleEvaluation::ObstacleEvaluation(const ObstacleEvaluationOptions& options)
     throw Error(problem, "ObstacleEvaluationOptions");
 }
 
-EvaluatedObstacle ObstacleEvaluation::judged(const WayAhead& way, const Fix& fix, const Obstacle& obstacle) const {
-  EvaluatedObstacle result{obstacle, infinity, infinity, Decision::ignore};
+void ObstacleEvaluation::reserve(std::size_t obstacles, std::size_t points) {
+  if (evaluated_.size() < obstacles) evaluated_.resize(obstacles);
+  for (EvaluatedObstacle& it : evaluated_) it.obstacle.points.reserve(points);
+}
+
+void ObstacleEvaluation::judge(const WayAhead& way, const Fix& fix, EvaluatedObstacle& it) const {
+  it.ahead = infinity;
+  it.cross_track = infinity;
+  it.decision = Decision::ignore;
   // Far from all of the way ahead: nothing to work out.
+  const OrientedBox& box = it.obstacle.box;
   const Point2 robot = fix.pose.translation();
-  const double size = std::hypot(obstacle.box.width, obstacle.box.depth);
-  if ((obstacle.box.centre - robot).norm() - 0.5 * size > reach() + options_.corridor_half_width) return result;
-  for (const int point : obstacle.points) {
-    const Place place = way.nearest(fix.pose * fix.scan.in_robot[static_cast<std::size_t>(point)]);
-    if (std::abs(place.cross_track) < std::abs(result.cross_track)) result.cross_track = place.cross_track;
-    if (place.aside < options_.corridor_half_width) result.ahead = std::min(result.ahead, place.ahead);
+  if ((box.centre - robot).norm() - 0.5 * std::hypot(box.width, box.depth) > reach() + options_.corridor_half_width)
+    return;
+  const Matrix<2, 2> rotation = fix.pose.rotation();
+  double least_aside = infinity;
+  // A point this near to the last one looked at is neither in the corridor nor nearer to the way than another one.
+  double spare = 0.0;
+  Point2 looked_at = robot;
+  for (const int point : it.obstacle.points) {
+    const Point2 in_map = rotation * fix.scan.in_robot[static_cast<std::size_t>(point)] + robot;
+    if (spare > 0.0 && (in_map - looked_at).squaredNorm() < spare * spare) continue;
+    const Place place = way.nearest(in_map);
+    if (place.aside < options_.corridor_half_width) it.ahead = std::min(it.ahead, place.ahead);
+    if (place.aside < least_aside) {
+      least_aside = place.aside;
+      it.cross_track = place.cross_track;
+    }
+    spare = place.aside - std::max(least_aside, options_.corridor_half_width);
+    looked_at = in_map;
   }
-  if (result.ahead < options_.stop_distance)
-    result.decision = Decision::stop;
-  else if (result.ahead < options_.slow_distance)
-    result.decision = Decision::slow;
-  return result;
+  if (it.ahead < options_.stop_distance)
+    it.decision = Decision::stop;
+  else if (it.ahead < options_.slow_distance)
+    it.decision = Decision::slow;
 }
 
 void ObstacleEvaluation::update(const SplinePath& path, double travelled, const Fix& fix,
                                 std::span<const Obstacle> obstacles) {
-  evaluated_.clear();
-  const WayAhead way(path, travelled, obstacles.empty() ? travelled : travelled + reach());
+  const WayAhead way(path, travelled, travelled + reach());
   Decision worst = Decision::ignore;
   double nearest = infinity;
-  for (const Obstacle& obstacle : obstacles) {
-    evaluated_.push_back(judged(way, fix, obstacle));
-    worst = std::max(worst, evaluated_.back().decision);
-    nearest = std::min(nearest, evaluated_.back().ahead);
+  if (evaluated_.size() < obstacles.size()) evaluated_.resize(obstacles.size());
+  count_ = obstacles.size();
+  for (std::size_t k = 0; k < count_; ++k) {
+    evaluated_[k].obstacle = obstacles[k];
+    judge(way, fix, evaluated_[k]);
+    worst = std::max(worst, evaluated_[k].decision);
+    nearest = std::min(nearest, evaluated_[k].ahead);
   }
   in_a_row_ = worst == Decision::ignore ? 0 : in_a_row_ + 1;
   clear_ = worst == Decision::ignore ? clear_ + 1 : 0;

@@ -14,36 +14,70 @@ namespace {
 
 double cross(const Point2& a, const Point2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
 
-/// The convex hull, counter-clockwise (Andrew 1979, monotone chain).
-PointCloud2 convex_hull(PointView<2> points) {
-  PointCloud2 sorted;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(sorted), is_finite<2>);
-  std::sort(sorted.begin(), sorted.end(),
-            [](const Point2& a, const Point2& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  if (sorted.size() < 3) return sorted;
+/// Along a direction, then across it.
+class Along {
+ public:
+  explicit Along(const Point2& direction) noexcept : direction_(direction) {}
 
-  PointCloud2 hull;
-  const auto grow = [&hull](const Point2& point, std::size_t fixed) {
-    while (hull.size() > fixed + 1 && cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0.0)
-      hull.pop_back();
-    hull.push_back(point);
-  };
-  for (const Point2& point : sorted) grow(point, 0);
-  const std::size_t lower = hull.size() - 1;
-  for (auto point = sorted.rbegin() + 1; point != sorted.rend(); ++point) grow(*point, lower);
-  hull.pop_back();
-  return hull;
+  bool operator()(const Point2& a, const Point2& b) const noexcept {
+    const double difference = direction_.dot(a) - direction_.dot(b);
+    return difference < 0.0 || (difference == 0.0 && cross(direction_, a) < cross(direction_, b));
+  }
+
+ private:
+  Point2 direction_;
+};
+
+/// Points of a scan are nearly in order along what they show: insertion takes a few steps for each. Where it would take
+/// more, std::sort does it.
+void sort_points(PointCloud2& points, const Along& before) {
+  constexpr std::size_t few = 8;
+  std::size_t steps = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Point2 point = points[i];
+    std::size_t place = i;
+    for (; place > 0 && before(point, points[place - 1]); --place) points[place] = points[place - 1];
+    points[place] = point;
+    steps += i - place;
+    if (steps > few * points.size()) return std::sort(points.begin(), points.end(), before);
+  }
 }
 
-OrientedBox box_along(const PointCloud2& hull, double heading) {
-  const Point2 along(std::cos(heading), std::sin(heading));
-  const Point2 across(-along.y(), along.x());
+/// Goes on with one side of a hull, from its last point to `end`.
+/// @param points  those between, in order
+template <typename Iterator>
+void go_round(Iterator point, Iterator stop, const Point2& end, PointCloud2& hull) {
+  const std::size_t fixed = hull.size();
+  const auto add = [&](const Point2& next) {
+    while (hull.size() > fixed && cross(hull.back() - hull[hull.size() - 2], next - hull.back()) <= 0.0)
+      hull.pop_back();
+    hull.push_back(next);
+  };
+  for (; point != stop; ++point)
+    if (cross(end - hull.back(), *point - hull.back()) < 0.0) add(*point);  // others lie within
+  add(end);
+}
+
+/// The convex hull, counter-clockwise (Andrew 1979, monotone chain). `points` are finite; they are put in order.
+void convex_hull(PointCloud2& points, PointCloud2& hull) {
+  hull.clear();
+  if (points.empty()) return;
+  const Point2 direction = points.back() - points.front();
+  sort_points(points, Along(direction.squaredNorm() > 0.0 ? direction : Point2(1.0, 0.0)));
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  hull.push_back(points.front());
+  if (points.size() == 1) return;
+  go_round(points.begin() + 1, points.end() - 1, points.back(), hull);
+  if (points.size() == 2) return;
+  go_round(points.rbegin() + 1, points.rend() - 1, points.front(), hull);
+  hull.pop_back();
+}
+
+/// How far the points reach along a direction of length one, and across it.
+Bounds<2> extent_along(const PointCloud2& points, const Point2& along) noexcept {
   Bounds<2> extent;
-  for (const Point2& point : hull) extent.include({along.dot(point), across.dot(point)});
-  const Point2 middle = 0.5 * (extent.lower + extent.upper);
-  const Point2 size = extent.upper - extent.lower;
-  return {along * middle.x() + across * middle.y(), size.x(), size.y(), heading};
+  for (const Point2& point : points) extent.include({along.dot(point), cross(along, point)});
+  return extent;
 }
 
 /// The same rectangle, its longer side first.
@@ -60,21 +94,35 @@ OrientedBox normalized(OrientedBox box) {
 
 }  // namespace
 
-OrientedBox smallest_box(PointView<2> points) {
-  const PointCloud2 hull = convex_hull(points);
-  if (hull.empty()) return {};
-  OrientedBox best;
+OrientedBox smallest_box(PointView<2> points) { return BoxFinder().smallest(points); }
+
+void BoxFinder::reserve(std::size_t points) {
+  points_.reserve(points);
+  hull_.reserve(points + 2);  // it closes before it is done
+}
+
+OrientedBox BoxFinder::smallest(PointView<2> points) {
+  points_.clear();
+  std::copy_if(points.begin(), points.end(), std::back_inserter(points_), is_finite<2>);
+  convex_hull(points_, hull_);
+  if (hull_.empty()) return {};
+  Point2 along(1.0, 0.0);
+  Bounds<2> extent;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < hull.size(); ++k) {
-    const Point2 side = hull[(k + 1) % hull.size()] - hull[k];
-    const OrientedBox box = box_along(hull, std::atan2(side.y(), side.x()));
-    const double area = box.width * box.depth;
-    if (area < least) {
-      least = area;
-      best = box;
-    }
+  for (std::size_t k = 0; k < hull_.size(); ++k) {
+    const Point2 side = hull_[(k + 1) % hull_.size()] - hull_[k];
+    const Point2 direction = hull_.size() > 1 ? Point2(side.normalized()) : along;
+    const Bounds<2> here = extent_along(hull_, direction);
+    const double area = (here.upper - here.lower).prod();
+    if (area >= least) continue;
+    least = area;
+    along = direction;
+    extent = here;
   }
-  return normalized(best);
+  const Point2 middle = 0.5 * (extent.lower + extent.upper);
+  const Point2 size = extent.upper - extent.lower;
+  const Point2 across(-along.y(), along.x());
+  return normalized({along * middle.x() + across * middle.y(), size.x(), size.y(), std::atan2(along.y(), along.x())});
 }
 
 OrientedBox trimmed_box(const OrientedBox& box, PointView<2> points, double trim) {

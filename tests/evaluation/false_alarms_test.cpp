@@ -7,23 +7,25 @@
 namespace slamicp::false_alarms_test {
 namespace {
 
-Cycle seeing(std::initializer_list<Point2> places, Decision decision = Decision::ignore) {
-  Cycle cycle;
-  cycle.decision = decision;
+/// A cycle that sees obstacles there.
+void see(FalseAlarms& alarms, std::initializer_list<Point2> places, Decision decision = Decision::ignore) {
+  std::vector<EvaluatedObstacle> obstacles;
   for (const Point2& place : places) {
-    EvaluatedObstacle evaluated;
-    evaluated.obstacle.box.centre = place;
-    cycle.obstacles.push_back(evaluated);
+    obstacles.emplace_back();
+    obstacles.back().obstacle.box.centre = place;
   }
-  return cycle;
+  Cycle cycle;
+  cycle.obstacles = obstacles;
+  cycle.decision = decision;
+  alarms.add(cycle);
 }
 
 TEST(FalseAlarms, ThreeScansInARowConfirmAnObstacleOnce) {
   FalseAlarms alarms;
-  alarms.add(seeing({{1.0, 0.0}}));
-  alarms.add(seeing({{1.1, 0.0}}));
+  see(alarms, {{1.0, 0.0}});
+  see(alarms, {{1.1, 0.0}});
   EXPECT_TRUE(alarms.confirmed().empty());
-  for (int k = 0; k < 4; ++k) alarms.add(seeing({{1.0, 0.1}}));
+  for (int k = 0; k < 4; ++k) see(alarms, {{1.0, 0.1}});
   ASSERT_EQ(alarms.confirmed().size(), 1U);
   EXPECT_NEAR(alarms.confirmed().front().x(), 1.0, 0.2);
   EXPECT_EQ(alarms.seen(), 6U);
@@ -32,25 +34,25 @@ TEST(FalseAlarms, ThreeScansInARowConfirmAnObstacleOnce) {
 TEST(FalseAlarms, AGapStartsAgainAndAnotherPlaceIsAnotherOne) {
   FalseAlarms alarms;
   for (int k = 0; k < 5; ++k) {
-    alarms.add(seeing({{1.0, 0.0}}));
-    alarms.add(seeing({{3.0, 0.0}}));
+    see(alarms, {{1.0, 0.0}});
+    see(alarms, {{3.0, 0.0}});
   }
   EXPECT_TRUE(alarms.confirmed().empty());
-  for (int k = 0; k < 3; ++k) alarms.add(seeing({{1.0, 0.0}, {3.0, 0.0}}));
+  for (int k = 0; k < 3; ++k) see(alarms, {{1.0, 0.0}, {3.0, 0.0}});
   EXPECT_EQ(alarms.confirmed().size(), 2U);
 }
 
 TEST(FalseAlarms, WhatIsGoneAndComesBackIsANewOne) {
   FalseAlarms alarms;
-  for (int k = 0; k < 3; ++k) alarms.add(seeing({{1.0, 0.0}}));
-  for (int k = 0; k < 4; ++k) alarms.add(seeing({}));
-  for (int k = 0; k < 3; ++k) alarms.add(seeing({{1.0, 0.0}}));
+  for (int k = 0; k < 3; ++k) see(alarms, {{1.0, 0.0}});
+  for (int k = 0; k < 4; ++k) see(alarms, {});
+  for (int k = 0; k < 3; ++k) see(alarms, {{1.0, 0.0}});
   EXPECT_EQ(alarms.confirmed().size(), 1U);
-  for (int k = 0; k < 5; ++k) alarms.add(seeing({}));
-  for (int k = 0; k < 3; ++k) alarms.add(seeing({{1.0, 0.0}}));
+  for (int k = 0; k < 5; ++k) see(alarms, {});
+  for (int k = 0; k < 3; ++k) see(alarms, {{1.0, 0.0}});
   EXPECT_EQ(alarms.confirmed().size(), 2U);
   alarms.next_drive();
-  for (int k = 0; k < 3; ++k) alarms.add(seeing({{1.0, 0.0}}));
+  for (int k = 0; k < 3; ++k) see(alarms, {{1.0, 0.0}});
   EXPECT_EQ(alarms.confirmed().size(), 3U);
 }
 
@@ -58,7 +60,7 @@ TEST(FalseAlarms, CountsEachStopAndSlowDownOnce) {
   FalseAlarms alarms;
   for (const Decision decision : {Decision::slow, Decision::slow, Decision::stop, Decision::stop, Decision::slow,
                                   Decision::ignore, Decision::stop, Decision::ignore, Decision::slow})
-    alarms.add(seeing({}, decision));
+    see(alarms, {}, decision);
   EXPECT_EQ(alarms.stops(), 2U);
   EXPECT_EQ(alarms.slow_downs(), 2U);
 }

@@ -86,6 +86,24 @@ TEST(FindObstaclesTest, FewerPointsThanAskedForAreNoObstacle) {
   EXPECT_EQ(find_obstacles(seen.fix, seen.scan, {.min_points = points + 1}).size(), 0U);
 }
 
+TEST(FindObstaclesTest, AFinderThatIsUsedAgainKeepsNothingOfTheScanBefore) {
+  ObstacleFinder finder;
+  finder.reserve(1, 10);
+  const Seen two = look_at({{4.5, 1.2}, {2.4, 2.2}});
+  const Seen one = look_at({{3.0, 1.8}});
+  const Seen none = look_at({});
+  for (const Seen* seen : {&two, &one, &none, &two}) {
+    const std::span<const Obstacle> found = finder.find(seen->fix, seen->scan);
+    const std::vector<Obstacle> expected = find_obstacles(seen->fix, seen->scan);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_EQ(found[k].points, expected[k].points);
+      EXPECT_EQ(found[k].box.centre, expected[k].box.centre);
+      EXPECT_EQ(found[k].distance, expected[k].distance);
+    }
+  }
+}
+
 TEST(FindObstaclesTest, AbsurdOptionsAreRefused) {
   const Seen seen = look_at({});
   const ObstacleOptions absurd[] = {{.min_points = 0},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,8 +38,9 @@ struct ObstacleEvaluationOptions {
 /// One obstacle beside or on the way.
 struct EvaluatedObstacle {
   Obstacle obstacle;
-  double ahead = 0.0;        ///< its nearest point, along the path from the robot [m]; infinity where it is not ahead
-  double cross_track = 0.0;  ///< of the point that is nearest to the path, positive to the left [m]
+  double ahead = 0.0;  ///< its nearest point, along the path from the robot [m]; infinity where it is not ahead
+  /// Of the point that is nearest to the way ahead, positive to the left [m]; infinity where nothing is near it.
+  double cross_track = 0.0;
   Decision decision = Decision::ignore;
 };
 
@@ -48,12 +50,15 @@ class ObstacleEvaluation {
   /// Throws Error with options.problem().
   explicit ObstacleEvaluation(const ObstacleEvaluationOptions& options = {});
 
+  /// Room for so many obstacles at once, of so many points each: up to these, update() allocates nothing.
+  void reserve(std::size_t obstacles, std::size_t points);
+
   /// @param travelled  where the robot is on the path [m]
   /// O(points of the obstacles).
   void update(const SplinePath& path, double travelled, const Fix& fix, std::span<const Obstacle> obstacles);
 
-  /// Those of the last update, as they came.
-  const std::vector<EvaluatedObstacle>& obstacles() const noexcept { return evaluated_; }
+  /// Those of the last update, as they came. Good until the next.
+  std::span<const EvaluatedObstacle> obstacles() const noexcept { return {evaluated_.data(), count_}; }
   /// What the robot should do, confirmed over several scans.
   Decision decision() const noexcept { return decision_; }
   /// What that leaves of its speed [m/s]: infinity to ignore, 0 to stop.
@@ -64,10 +69,11 @@ class ObstacleEvaluation {
 
   /// How far ahead things matter [m].
   double reach() const noexcept { return options_.slow_distance + options_.corridor_half_width; }
-  EvaluatedObstacle judged(const WayAhead& way, const Fix& fix, const Obstacle& obstacle) const;
+  void judge(const WayAhead& way, const Fix& fix, EvaluatedObstacle& it) const;
 
   ObstacleEvaluationOptions options_;
-  std::vector<EvaluatedObstacle> evaluated_;
+  std::vector<EvaluatedObstacle> evaluated_;  // the first count_ of them; the others are kept for their memory
+  std::size_t count_ = 0;
   Decision decision_ = Decision::ignore;
   double speed_limit_;
   int in_a_row_ = 0;  // scans that show something on the way

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,5 +41,26 @@ struct ObstacleOptions {
 /// options.problem().
 /// @param scan  the one that the fix is of; of several that were joined the first, all being of its kind
 std::vector<Obstacle> find_obstacles(const Fix& fix, const LaserScan& scan, const ObstacleOptions& options = {});
+
+/// The same, scan after scan: it keeps its memory.
+class ObstacleFinder {
+ public:
+  /// Throws Error with options.problem().
+  explicit ObstacleFinder(const ObstacleOptions& options = {});
+
+  /// Room for so many obstacles at once, of so many points each: up to these, find() allocates nothing.
+  void reserve(std::size_t obstacles, std::size_t points);
+  /// Good until the next call.
+  std::span<const Obstacle> find(const Fix& fix, const LaserScan& scan);
+
+ private:
+  void add(const Fix& fix, const Point2& laser, std::span<const int> points);
+
+  ObstacleOptions options_;
+  std::vector<Obstacle> obstacles_;  // the first found_ of them; the others are kept for their memory
+  std::size_t found_ = 0;
+  PointCloud2 in_map_;
+  BoxFinder boxes_;
+};
 
 }  // namespace slamicp
