@@ -101,6 +101,11 @@ Compression compression_of_ending(std::string_view ending) noexcept {
   return Compression::none;
 }
 
+bool is_packed(Compression compression, std::string_view bytes) noexcept {
+  const Kind* const kind = kind_of(compression);
+  return kind != nullptr && bytes.starts_with(kind->magic);
+}
+
 std::string unpack(Compression compression, std::string_view packed, std::size_t limit, const std::string& where) {
   const Kind* const kind = kind_of(compression);
   if (kind != nullptr) return unpack_with(*kind, packed, limit, where);

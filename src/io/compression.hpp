@@ -23,6 +23,9 @@ std::string_view name_of(Compression compression) noexcept;
 /// What a file's last ending says: ".lz4", ".bz2", ".gz", ".xz" or ".zst"; `none` for any other.
 Compression compression_of_ending(std::string_view ending) noexcept;
 
+/// True if the bytes begin as a stream of that kind does.
+bool is_packed(Compression compression, std::string_view bytes) noexcept;
+
 /// The content of `packed`, of all its streams one after the other. Memory grows with what really comes out.
 /// Throws Error, at `where`, if `packed` is broken or cut, if more than `limit` bytes come out, and if this build lacks
 /// the library.

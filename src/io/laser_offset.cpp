@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/laser_offset.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <slamicp/geometry/angle.hpp>
 
+#include "io/median.hpp"
+
 namespace slamicp {
 namespace {
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double round_to(double value, double step) { return std::round(value / step) * step + 0.0; }
 

@@ -7,6 +7,7 @@
 
 #include "io/laser_mount.hpp"
 #include "io/log_checks.hpp"
+#include "io/median.hpp"
 #include "io/ros_recording.hpp"
 #include "io/ros_robot.hpp"
 #include "io/ros_topics.hpp"
@@ -38,14 +39,11 @@ std::vector<LaserScan> placed_scans(RosTopic& topic, const FrameTree& frames, co
   return scans;
 }
 
-/// From one scan to the next, the median [s].
+/// From one scan to the next, the median [s]; 0 of a single scan.
 double median_interval(const std::vector<LaserScan>& scans) {
   std::vector<double> intervals;
   for (std::size_t i = 1; i < scans.size(); ++i) intervals.push_back(scans[i].stamp - scans[i - 1].stamp);
-  if (intervals.empty()) return 0.0;
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return *middle;
+  return median_of(std::move(intervals));
 }
 
 /// A sweep cannot take longer than the time to the next one: drivers that say so say it wrong.

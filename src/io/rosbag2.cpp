@@ -34,9 +34,8 @@ class Rosbag2FileVisitor : public RecordingVisitor {
   }
 
   void take(int channel, double logged, std::string_view body) override {
-    constexpr std::string_view zstd = "\x28\xB5\x2F\xFD";
     std::string unpacked;
-    if (body.starts_with(zstd)) {
+    if (is_packed(Compression::zstd, body)) {
       try {
         unpacked = unpack(Compression::zstd, body, largest_rosbag2_message, "a message");
       } catch (const Error& error) {

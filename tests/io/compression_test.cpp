@@ -45,6 +45,14 @@ TEST_P(Packed, SeveralStreamsAreOneContentAndWhatFollowsIsLeftOut) {
   EXPECT_EQ(unpacked(test::pack(GetParam(), a) + std::string(100, '\0')), a);
 }
 
+TEST_P(Packed, IsToldByItsFirstBytes) {
+  const std::string packed = test::pack(GetParam(), content_of(1000));
+  EXPECT_TRUE(is_packed(GetParam(), packed));
+  EXPECT_FALSE(is_packed(GetParam(), packed.substr(0, 1)));
+  EXPECT_FALSE(is_packed(GetParam(), packed.substr(1)));
+  EXPECT_FALSE(is_packed(Compression::none, packed));
+}
+
 TEST_P(Packed, NeverGivesMoreThanTheLimit) {
   const std::string bomb = test::pack(GetParam(), std::string(std::size_t{20} << 20U, '\0'));
   expect_error([&] { unpacked(bomb, 1'000'000); }, "run.bag", "unpacks to more than 1000000 bytes");
