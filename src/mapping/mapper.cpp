@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include <slamicp/error.hpp>
 #include <slamicp/mapping/mapper.hpp>
@@ -22,6 +24,7 @@ LocalizerOptions localizer_options(const MapperOptions& options) {
   localizer.use_odometry = options.use_odometry;
   localizer.deskew = options.deskew;
   localizer.outputs = {.mean_inlier_distance = true,
+                       .outlier_indices = options.update == MapUpdate::outliers,
                        .outliers_in_map = true,
                        .transformed_scan = options.update == MapUpdate::all_points,
                        .matches = options.update == MapUpdate::outliers};
@@ -33,6 +36,12 @@ PointCloud2 in_map(const Fix& fix) {
   points.reserve(fix.scan.in_robot.size());
   for (const Point2& point : fix.scan.in_robot) points.push_back(fix.pose * point);
   return points;
+}
+
+std::vector<int> all_points_of(const Fix& fix) {
+  std::vector<int> all(fix.scan.in_robot.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
 }
 
 }  // namespace
@@ -75,6 +84,7 @@ const Fix& Mapper::add(const LaserScan& scan) {
   const bool unmatched = fix.stop() == Stop::no_overlap || fix.stop() == Stop::too_few_points;
   if (keyframes_ == 0) {
     if (fix.scan.in_robot.empty()) return fix;
+    refinement_->expect(0, fix, all_points_of(fix));
     localizer_.set_map(PointMap2::create(in_map(fix), options_.surfaces));
     last_keyframe_ = fix.pose;
     keyframes_ = 1;
@@ -95,11 +105,15 @@ void Mapper::grow(const Fix& fix) {
   ++keyframes_;
   if (fix.stop() == Stop::no_overlap) {
     // Nothing known is in sight: the map goes on where the prediction says.
+    refinement_->expect(map()->size(), fix, all_points_of(fix));
     localizer_.set_map(map()->with_added(in_map(fix)));
   } else if (options_.update == MapUpdate::all_points) {
     localizer_.set_map(update_with_all_points<2>(map(), fix.match));
   } else {
-    if (!(options_.forget_distance > 0.0)) refinement_->count(fix);
+    if (!(options_.forget_distance > 0.0)) {
+      refinement_->count(fix);
+      refinement_->expect(map()->size(), fix, fix.outliers());
+    }
     localizer_.set_map(update_with_outliers<2>(map(), fix.match));
   }
   if (options_.forget_distance > 0.0) forget_far_points();

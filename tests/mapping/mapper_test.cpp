@@ -73,6 +73,33 @@ TEST(MapperTest, TheRefinedMapIsNearerToTheWallsAndSmaller) {
   EXPECT_LT(mean_distance_to_walls(*refined), 0.9 * mean_distance_to_walls(*mapper.map()));
 }
 
+double farthest_from_walls(const PointMap2& map) {
+  const World world = corridor_world();
+  double farthest = 0.0;
+  for (const Point2& point : map.points()) farthest = std::max(farthest, distance_to_walls(world, point));
+  return farthest;
+}
+
+TEST(MapperTest, ReadingsThatMixNearAndFarAreNotInTheRefinedMap) {
+  DriveOptions options;
+  options.speed = 0.5;
+  options.lidar = hokuyo_utm30lx();
+  options.lidar.mixed_pixels = 0.1;
+  options.lidar.rate = 5.0;
+  const World world = corridor_world();
+  const Mapper mapper =
+      mapped(simulate_drive(world, route(world, "reference").waypoints, options), {.insertion_distance = 0.02});
+  EXPECT_GT(farthest_from_walls(*mapper.map()), 0.5) << "else there is nothing to leave out";
+  EXPECT_LT(farthest_from_walls(*mapper.refined_map()), 0.25);
+}
+
+TEST(MapperTest, WhatNoScanCouldConfirmStaysInTheRefinedMap) {
+  SimulatedRun run = short_run();
+  run.scans.resize(1);
+  const Mapper mapper = mapped(run);
+  EXPECT_EQ(mapper.refined_map()->size(), mapper.map()->size());
+}
+
 TEST(MapperTest, AMapOfAllPointsIsNotRefined) {
   const Mapper mapper = mapped(half_of(short_run()), {.update = MapUpdate::all_points});
   EXPECT_EQ(mapper.refined_map(), mapper.map());

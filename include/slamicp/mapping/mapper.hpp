@@ -69,7 +69,8 @@ class Mapper {
   /// The map so far; null before the first scan that has points.
   const PointMap2::Pointer& map() const noexcept { return localizer_.map(); }
   /// The map to keep, once the log is done: each point moved to the mean of what later scans saw of it, without the
-  /// points that noise has left beside the walls; with a forget_distance the map so far. Null before the first scan
+  /// points that noise has left beside the walls, and without lone readings between near and far that no later scan saw
+  /// again; with a forget_distance the map so far. Null before the first scan
   /// that has points. O(n log n).
   PointMap2::Pointer refined_map() const;
 
