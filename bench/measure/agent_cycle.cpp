@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // the agent's whole control cycle against the bare match of the same scan, where an obstacle gives many outliers
 //
-// scripts/measure agent_cycle [--obstacle D3] [--least 100] [--repeats 7]
+// scripts/measure agent_cycle [--obstacle D3] [--least 100] [--repeats 7] [--every 15]
 //
 // The three take turns scan by scan: the agent's cycle; a Localizer that computes the pose and nothing else; the match
 // alone, of points that are ready. Times: the median of each scan's repeats, then the median over the scans that have
-// at least so many outliers, and over those that have at most two.
+// at least so many outliers, and over those that have at most two. Then the two forms of the agent take turns drive by
+// drive, one scan in --every: what each subtask takes (the paper's Figure 9), medians over all scans.
 #include <slamicp/evaluation/recorded_drive.hpp>
 #include <slamicp/registration/icp.hpp>
 
@@ -81,6 +82,65 @@ Row row_of(const std::vector<ScanTimes>& times, const std::string& what, std::si
           quantile(evaluation, 0.5)};
 }
 
+// ---- the two forms of the agent, subtask by subtask
+
+struct Subtask {
+  const char* name;
+  double CycleTimes::*time;
+};
+constexpr Subtask subtasks[] = {{"self-localization", &CycleTimes::localization},
+                                {"path tracking", &CycleTimes::path_tracking},
+                                {"obstacle detection", &CycleTimes::obstacle_detection},
+                                {"obstacle evaluation", &CycleTimes::obstacle_evaluation}};
+
+/// The times of one form: of each subtask, of each scan shown, one a repeat.
+using FormTimes = std::vector<std::vector<Times>>;
+
+void replay(const ExperimentSite& site, const RecordedDrive& drive, AgentForm form, std::size_t every,
+            FormTimes& times) {
+  AgentOptions options = agent_of(drive.plan);
+  options.form = form;
+  Agent agent(site.map, site.path, options, now);
+  agent.set_pose(drive.samples.front().truth);
+  for (std::size_t k = 0; k < drive.scans.size(); k += every) {
+    const Cycle& cycle = agent.step(drive.scans[k]);
+    for (std::size_t s = 0; s < std::size(subtasks); ++s) times[s][k / every].push_back(cycle.times.*subtasks[s].time);
+  }
+}
+
+/// The median over the scans but the first [us].
+double median_of_scans(const std::vector<Times>& scans) {
+  std::vector<double> medians;
+  for (std::size_t k = 1; k < scans.size(); ++k) medians.push_back(1e6 * quantile(scans[k], 0.5));
+  return quantile(medians, 0.5);
+}
+
+void two_forms(const ExperimentSite& site, const RecordedDrive& drive, std::size_t every, int repeats, Json& results) {
+  const std::size_t shown = (drive.scans.size() + every - 1) / every;
+  FormTimes original(std::size(subtasks), std::vector<Times>(shown));
+  FormTimes improved = original;
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    replay(site, drive, AgentForm::original, every, original);
+    replay(site, drive, AgentForm::improved, every, improved);
+  }
+  Table table({"subtask", "original agent us", "improved agent us"});
+  double sums[2] = {0.0, 0.0};
+  const auto add = [&](const char* name, double theirs, double ours) {
+    table.add({name, text("%.1f", theirs), text("%.1f", ours)});
+    results.push_back({{"subtask", name}, {"original_us", theirs}, {"improved_us", ours}});
+  };
+  for (std::size_t s = 0; s < std::size(subtasks); ++s) {
+    const double theirs = median_of_scans(original[s]);
+    const double ours = median_of_scans(improved[s]);
+    add(subtasks[s].name, theirs, ours);
+    sums[0] += theirs;
+    sums[1] += ours;
+  }
+  add("sum", sums[0], sums[1]);
+  std::printf("The two forms of the agent (the paper's Figure 9), index built once, one scan in %zu.\n\n", every);
+  table.print();
+}
+
 void agent_cycle(const Words& words) {
   const ExperimentSite site = explore_site(1);
   DrivePlan plan;
@@ -109,6 +169,8 @@ void agent_cycle(const Words& words) {
   std::printf("Obstacle %s on the reference path, %zu scans, most outliers %zu.\n\n", plan.obstacle.c_str(),
               drive.scans.size(), drive.most_outliers());
   table.print();
+  two_forms(site, drive, static_cast<std::size_t>(words.number("--every")), static_cast<int>(words.number("--repeats")),
+            results);
   save_results("agent_cycle", results);
 }
 
@@ -117,5 +179,7 @@ void agent_cycle(const Words& words) {
 
 int main(int argc, char** argv) {
   using namespace slamicp::measure;
-  return run([&] { agent_cycle(Words(argc, argv, {{"--obstacle", "D3"}, {"--least", "100"}, {"--repeats", "7"}})); });
+  return run([&] {
+    agent_cycle(Words(argc, argv, {{"--obstacle", "D3"}, {"--least", "100"}, {"--repeats", "7"}, {"--every", "15"}}));
+  });
 }

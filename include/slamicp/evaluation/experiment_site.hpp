@@ -23,8 +23,8 @@ struct ExperimentSite {
 };
 
 /// Sends a robot with a real Hokuyo through corridor_world() along the route "survey", and makes the map of what it
-/// sees by our own Mapper. Its first pose is given, so that the map's frame is the world's. The same seed gives the same
-/// site.
+/// sees by our own Mapper. Its first pose is given, so that the map's frame is the world's. The same seed gives the
+/// same site.
 ExperimentSite explore_site(std::uint64_t seed);
 
 }  // namespace slamicp
