@@ -55,8 +55,8 @@ class Recorder {
     const Pose2 T_map_laser = now.T_map_robot * lidar_.T_robot_laser;
     const Pose2 motion = now.scan.sweep_motion.value_or(Pose2{});
     const Pose2 T_first_last = lidar_.T_robot_laser.inverse() * motion * lidar_.T_robot_laser;
-    true_ranges(world_, T_map_laser, T_first_last, lidar_, with_);
-    true_ranges(site_.world, T_map_laser, T_first_last, lidar_, without_);
+    true_ranges(world_, T_map_laser, T_first_last, lidar_, with_, now.scan.stamp);
+    true_ranges(site_.world, T_map_laser, T_first_last, lidar_, without_, now.scan.stamp);
     int beams = 0;
     for (std::size_t i = 0; i < with_.size(); ++i) beams += with_[i] < without_[i] && with_[i] <= near_range;
     return beams;

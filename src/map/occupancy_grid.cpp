@@ -125,13 +125,23 @@ PointCloud2 cell_centres(const OccupancyGrid& grid) {
   return points;
 }
 
-PointCloud2 wall_points(const OccupancyGrid& grid) {
+CellState air_of(const OccupancyGrid& grid) noexcept {
   const bool has_free = std::find(grid.cells.begin(), grid.cells.end(), CellState::free) != grid.cells.end();
-  const CellState air = has_free ? CellState::free : CellState::unknown;
-  PointCloud2 points;
+  return has_free ? CellState::free : CellState::unknown;
+}
+
+std::vector<WallCell> wall_cells(const OccupancyGrid& grid) {
+  const CellState air = air_of(grid);
+  std::vector<WallCell> walls;
   for_each_occupied(grid, [&](const Cell& cell) {
-    if (const std::optional<Point2> point = surface_in(grid, cell, air)) points.push_back(*point);
+    if (const std::optional<Point2> point = surface_in(grid, cell, air)) walls.push_back({cell, *point});
   });
+  return walls;
+}
+
+PointCloud2 wall_points(const OccupancyGrid& grid) {
+  PointCloud2 points;
+  for (const WallCell& wall : wall_cells(grid)) points.push_back(wall.point);
   return points;
 }
 

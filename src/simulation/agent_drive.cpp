@@ -34,8 +34,7 @@ AgentDriveResult drive_agent(const World& world, PointMap2::Pointer map, std::sh
     const Pose2 T_map_robot = robot.pose();
     const Pose2 T_odom_robot = robot.odometry();
     robot.advance(stamp + options.lidar.sweep_time);
-    LaserScan seen = scan(world, T_map_robot, T_map_robot.inverse() * robot.pose(), options.lidar, random);
-    seen.stamp = stamp;
+    LaserScan seen = scan(world, T_map_robot, T_map_robot.inverse() * robot.pose(), options.lidar, random, stamp);
     seen.T_odom_robot = T_odom_robot;
     if (options.lidar.sweep_time > 0.0) seen.sweep_motion = T_odom_robot.inverse() * robot.odometry();
     const Cycle& cycle = agent.step(seen);

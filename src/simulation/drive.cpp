@@ -3,8 +3,8 @@
 #include <utility>
 
 #include <slamicp/error.hpp>
-#include <slamicp/simulation/drive.hpp>
 #include <slamicp/navigation/spline_path.hpp>
+#include <slamicp/simulation/drive.hpp>
 
 namespace slamicp {
 
@@ -36,8 +36,7 @@ SimulatedRun simulate_drive(const World& world, std::span<const Point2> waypoint
       T_odom_robot = T_odom_robot * measured_motion(T_before_after, options.odometry, wheel_random);
     }
     const Pose2 sweep_motion = T_map_robot.inverse() * path.at((stamp + options.lidar.sweep_time) * options.speed);
-    LaserScan sweep = scan(world, T_map_robot, sweep_motion, options.lidar, lidar_random);
-    sweep.stamp = stamp;
+    LaserScan sweep = scan(world, T_map_robot, sweep_motion, options.lidar, lidar_random, stamp);
     sweep.T_odom_robot = T_odom_robot;
     if (options.lidar.sweep_time > 0.0)
       sweep.sweep_motion = measured_motion(sweep_motion, options.odometry, sweep_random);

@@ -60,8 +60,10 @@ class Fan {
       return {std::min(angle_a, angle_a + sweep), std::abs(sweep)};
     };
     const Span span = is_moving_ ? seen_on_the_way(span_from, distance(wall, origins_.front())) : span_from({0.0, 0.0});
-    for_beams(span, [&](const Point2& origin, const Point2& direction, double& range) {
-      const Point2 a = wall.a - origin;
+    for_beams(span, [&](std::size_t beam) {
+      const Point2& direction = directions_[beam];
+      double& range = ranges_[beam];
+      const Point2 a = wall.a - origins_[beam];
       const double offset = cross(a, along);
       if (offset == 0.0) return;  // seen edge on: no width, and its neighbours bound it
       const double slope = cross(direction, along);
@@ -74,28 +76,54 @@ class Fan {
   }
 
   void meet(const Point2& centre, double radius) noexcept {
-    const auto span_from = [&](const Point2& origin) -> Span {
-      const Point2 to = centre - origin;
-      const double squared_distance = to.squaredNorm();
-      const bool inside = squared_distance <= radius * radius;
-      const double half_width = inside ? turn / 2.0 : std::asin(radius / std::sqrt(squared_distance));
-      return {std::atan2(to.y(), to.x()) - half_width, 2.0 * half_width};
-    };
+    const auto span_from = [&](const Point2& origin) -> Span { return span_of_round(centre - origin, radius); };
     const Span span = is_moving_ ? seen_on_the_way(span_from, centre.norm() - radius) : span_from({0.0, 0.0});
-    for_beams(span, [&](const Point2& origin, const Point2& direction, double& range) {
-      const Point2 to = centre - origin;
-      const double miss = cross(direction, to);
-      const double squared_half_chord = radius * radius - miss * miss;
-      if (squared_half_chord < 0.0) return;
-      const double half_chord = std::sqrt(squared_half_chord);
-      const bool inside = to.squaredNorm() <= radius * radius;
-      const double distance = direction.dot(to) + (inside ? half_chord : -half_chord);
-      if (distance >= 0.0 && distance < range) range = distance;
-    });
+    for_beams(span, [&](std::size_t beam) { meet_round(centre - origins_[beam], radius, beam); });
+  }
+
+  /// A round thing that moves with constant velocity.
+  /// @param first  its middle at the first beam
+  /// @param last   and at the last
+  void meet(const Point2& first, const Point2& last, double radius) noexcept {
+    const std::size_t last_beam = ranges_.size() - 1;
+    const Point2 step = (last - first) / std::max(1.0, static_cast<double>(last_beam));
+    const auto seen_from = [&](std::size_t beam) -> Point2 {
+      return first + static_cast<double>(beam) * step - origins_[beam];
+    };
+    Span span;
+    if (first.norm() - radius >= 4.0 * (farthest_ + (last - first).norm())) {
+      span = span_of_round(seen_from(0), radius);
+      span = joined(span, span_of_round(seen_from(last_beam / 2), radius));
+      span = widened(joined(span, span_of_round(seen_from(last_beam), radius)));
+    }
+    for_beams(span, [&](std::size_t beam) { meet_round(seen_from(beam), radius, beam); });
   }
 
  private:
   static constexpr double slack = 1e-9;
+
+  static Span span_of_round(const Point2& to, double radius) noexcept {
+    const double squared_distance = to.squaredNorm();
+    const bool inside = squared_distance <= radius * radius;
+    const double half_width = inside ? turn / 2.0 : std::asin(radius / std::sqrt(squared_distance));
+    return {std::atan2(to.y(), to.x()) - half_width, 2.0 * half_width};
+  }
+
+  void meet_round(const Point2& to, double radius, std::size_t beam) noexcept {
+    const double miss = cross(directions_[beam], to);
+    const double squared_half_chord = radius * radius - miss * miss;
+    if (squared_half_chord < 0.0) return;
+    const double half_chord = std::sqrt(squared_half_chord);
+    const bool inside = to.squaredNorm() <= radius * radius;
+    const double distance = directions_[beam].dot(to) + (inside ? half_chord : -half_chord);
+    if (distance >= 0.0 && distance < ranges_[beam]) ranges_[beam] = distance;
+  }
+
+  /// By what looks at the first, the middle and the last beam may miss.
+  static Span widened(const Span& span) noexcept {
+    constexpr double between = 0.02;  // [rad]
+    return {span.lower - between, span.width + 2.0 * between};
+  }
 
   /// What a thing spans as the laser goes by.
   /// @param distance  from the laser at the first beam [m]; negative inside
@@ -104,12 +132,10 @@ class Fan {
     if (distance < 4.0 * farthest_) return {};
     Span span = span_from(origins_.front());
     span = joined(span, span_from(origins_[origins_.size() / 2]));
-    span = joined(span, span_from(origins_.back()));
-    constexpr double between = 0.02;  // what three looks may miss [rad]
-    return {span.lower - between, span.width + 2.0 * between};
+    return widened(joined(span, span_from(origins_.back())));
   }
 
-  // Calls visit for the beams within the span, which the seam of the turn may cut in two.
+  // Calls visit(beam) for the beams within the span, which the seam of the turn may cut in two.
   template <typename Visit>
   void for_beams(const Span& span, const Visit& visit) noexcept {
     const double lower_beam = positive_remainder(span.lower - angle_min_) / angle_increment_;
@@ -121,7 +147,7 @@ class Fan {
       const double last = std::min(last_beam, std::floor(start + width_in_beams + 1e-6));
       if (last < first) continue;
       const auto end = static_cast<std::size_t>(last) + 1;
-      for (auto i = static_cast<std::size_t>(first); i < end; ++i) visit(origins_[i], directions_[i], ranges_[i]);
+      for (auto i = static_cast<std::size_t>(first); i < end; ++i) visit(i);
     }
   }
 
@@ -178,12 +204,13 @@ LidarModel real_hokuyo_utm30lx() {
   return lidar;
 }
 
-void true_ranges(const World& world, const Pose2& T_map_laser, const LidarModel& lidar, std::vector<double>& ranges) {
-  true_ranges(world, T_map_laser, {}, lidar, ranges);
+void true_ranges(const World& world, const Pose2& T_map_laser, const LidarModel& lidar, std::vector<double>& ranges,
+                 double stamp) {
+  true_ranges(world, T_map_laser, {}, lidar, ranges, stamp);
 }
 
 void true_ranges(const World& world, const Pose2& T_map_laser, const Pose2& T_first_last, const LidarModel& lidar,
-                 std::vector<double>& ranges) {
+                 std::vector<double>& ranges, double stamp) {
   if (const std::string problem = lidar.problem(); !problem.empty()) throw Error(problem, "LidarModel");
   if (!(T_first_last.log().norm() < 1.0) || std::abs(T_first_last.theta) > 0.5 * lidar.angle_increment * lidar.beams)
     throw Error("the laser moves by " + to_string(T_first_last) + " during a sweep", "true_ranges",
@@ -201,6 +228,14 @@ void true_ranges(const World& world, const Pose2& T_map_laser, const Pose2& T_fi
     for (const Box& box : obstacle.boxes)
       for (const Segment& side : sides(box)) meet_segment(side);
     for (const Cylinder& cylinder : obstacle.cylinders) fan.meet(in_laser(cylinder.centre), cylinder.radius);
+  }
+  for (const Door& door : world.doors)
+    for (const Segment& side : sides(leaf(door, door.opening))) meet_segment(side);
+  for (const Person& person : world.people) {
+    const PersonOutline first = outline_at(person, stamp);
+    const PersonOutline last = outline_at(person, stamp + lidar.sweep_time);
+    for (std::size_t k = 0; k < first.count; ++k)
+      fan.meet(in_laser(first.centres[k]), in_laser(last.centres[k]), first.radius);
   }
 }
 
@@ -221,17 +256,18 @@ void mix_pixels(const LidarModel& lidar, Random& random, std::vector<double>& ra
 
 }  // namespace
 
-LaserScan scan(const World& world, const Pose2& T_map_robot, const LidarModel& lidar, Random& random) {
-  return scan(world, T_map_robot, {}, lidar, random);
+LaserScan scan(const World& world, const Pose2& T_map_robot, const LidarModel& lidar, Random& random, double stamp) {
+  return scan(world, T_map_robot, {}, lidar, random, stamp);
 }
 
 LaserScan scan(const World& world, const Pose2& T_map_robot, const Pose2& sweep_motion, const LidarModel& lidar,
-               Random& random) {
+               Random& random, double stamp) {
   std::vector<double> ranges;
   const Pose2 of_laser = lidar.T_robot_laser.inverse() * sweep_motion * lidar.T_robot_laser;
-  true_ranges(world, T_map_robot * lidar.T_robot_laser, of_laser, lidar, ranges);
+  true_ranges(world, T_map_robot * lidar.T_robot_laser, of_laser, lidar, ranges, stamp);
 
   LaserScan result;
+  result.stamp = stamp;
   result.time_increment = lidar.beams > 1 ? lidar.sweep_time / (lidar.beams - 1) : 0.0;
   result.angle_min = lidar.angle_min;
   result.angle_increment = lidar.angle_increment;

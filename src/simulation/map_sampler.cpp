@@ -22,17 +22,18 @@ PointCloud2 sample_map(const World& world, double spacing, double noise_sigma, R
     throw Error("noise_sigma must be 0 m or more", "sample_map", "try 0.01");
 
   PointCloud2 map;
-  for (const Segment& wall : world.walls) {
+  const auto sample_wall = [&](const Segment& wall) {
     const Point2 along = wall.b - wall.a;
     const double length = along.norm();
-    if (!(length > 0.0)) continue;
+    if (!(length > 0.0)) return;
     const Point2 normal = Point2(-along.y(), along.x()) / length;
     const std::size_t steps = steps_of(length, spacing);
     for (std::size_t i = 0; i < steps; ++i) {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(steps);
       map.push_back(wall.a + share * along + noise_sigma * random.normal() * normal);
     }
-  }
+  };
+  for (const Segment& wall : world.walls) sample_wall(wall);
   for (const Circle& pillar : world.pillars) {
     const std::size_t steps = steps_of(2.0 * std::numbers::pi * pillar.radius, spacing);
     for (std::size_t i = 0; i < steps; ++i) {
@@ -41,6 +42,8 @@ PointCloud2 sample_map(const World& world, double spacing, double noise_sigma, R
       map.push_back(pillar.centre + (pillar.radius + noise_sigma * random.normal()) * normal);
     }
   }
+  for (const Door& door : world.doors)
+    for (const Segment& side : sides(leaf(door, door.mapped_opening))) sample_wall(side);
   return map;
 }
 

@@ -39,6 +39,13 @@ const Route& route(const World& world, std::string_view name) {
               known.empty() ? "this world has no routes: give waypoints" : "use one of: " + known);
 }
 
+Box leaf(const Door& door, double opening) noexcept {
+  const Point2 closed = door.latch - door.hinge;
+  const Pose2 T_map_leaf{door.hinge.x(), door.hinge.y(), wrap_angle(std::atan2(closed.y(), closed.x()) + opening)};
+  const double width = closed.norm();
+  return {T_map_leaf * Point2(0.5 * width, 0.0), width, door.thickness, T_map_leaf.theta};
+}
+
 std::array<Segment, 4> sides(const Box& box) noexcept {
   const Pose2 T_map_box{box.centre.x(), box.centre.y(), box.heading};
   const double x = box.width / 2.0;
@@ -79,6 +86,7 @@ double distance_to_walls(const World& world, const Point2& point) noexcept {
   for (const Segment& wall : world.walls) nearest = std::min(nearest, distance(wall, point));
   for (const Circle& pillar : world.pillars)
     nearest = std::min(nearest, distance_to_round(pillar.centre, pillar.radius, point));
+  for (const Door& door : world.doors) nearest = std::min(nearest, distance(leaf(door, door.mapped_opening), point));
   return nearest;
 }
 

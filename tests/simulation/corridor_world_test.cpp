@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <slamicp/error.hpp>
+#include <slamicp/navigation/spline_path.hpp>
 #include <slamicp/simulation/corridor_world.hpp>
 #include <slamicp/simulation/lidar.hpp>
 #include <slamicp/simulation/map_sampler.hpp>
-#include <slamicp/navigation/spline_path.hpp>
 
 namespace slamicp::corridor_world_test {
 namespace {

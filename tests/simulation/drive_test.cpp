@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <slamicp/error.hpp>
+#include <slamicp/navigation/spline_path.hpp>
 #include <slamicp/simulation/corridor_world.hpp>
 #include <slamicp/simulation/drive.hpp>
 
@@ -75,11 +76,48 @@ TEST(Drive, AnotherLidarLeavesTheOdometryAsItIs) {
   EXPECT_TRUE(same(*one.scans.back().T_odom_robot, *two.scans.back().T_odom_robot));
 }
 
+TEST(Drive, OnThreeWheelsGetsToTheEndWithOdometryOfItsOwn) {
+  const World world = corridor_world();
+  for (const LidarModel& lidar : {hokuyo_utm30lx(), real_hokuyo_utm30lx()}) {
+    const SimulatedRun run = simulate_drive(world, short_way, apr02(), {.speed = 0.5, .lidar = lidar});
+    ASSERT_EQ(run.scans.size(), run.truth.size());
+    EXPECT_LT((run.truth.back().pose.translation() - short_way.back()).norm(), 0.03);
+    const SplinePath path(short_way);
+    double off = 0.0;
+    for (const StampedPose& truth : run.truth)
+      off = std::max(off, std::abs(path.nearest(truth.pose.translation(), 0.0, path.length()).cross_track));
+    EXPECT_LT(off, 0.05);
+    const Pose2 travelled = run.truth.front().pose.inverse() * run.truth.back().pose;
+    const double drift = distance(*run.scans.back().T_odom_robot, travelled).translation;
+    EXPECT_GT(drift, 1e-4) << "its wheels slip";
+    EXPECT_LT(drift, 0.3);
+    EXPECT_EQ(run.scans[3].sweep_motion.has_value(), lidar.sweep_time > 0.0);
+    const SimulatedRun again = simulate_drive(world, short_way, apr02(), {.speed = 0.5, .lidar = lidar});
+    EXPECT_EQ(run.scans.back().ranges, again.scans.back().ranges);
+  }
+}
+
+TEST(Drive, MeetsPeopleWhereTheyAreAtItsStamps) {
+  World world = corridor_world();
+  Person person;
+  person.way = {{5.5, -0.5}, {6.3, -0.5}};
+  world.people.push_back(person);
+  const SimulatedRun run = simulate_drive(world, short_way, {.lidar = hokuyo_utm30lx(0.0)});
+  for (const std::size_t k : {std::size_t{40}, std::size_t{90}}) {
+    Random random(1);
+    const LaserScan seen = scan(world, run.truth[k].pose, hokuyo_utm30lx(0.0), random, run.truth[k].stamp);
+    EXPECT_EQ(run.scans[k].ranges, seen.ranges);
+  }
+}
+
 TEST(Drive, RefusesOptionsThatCannotBe) {
   EXPECT_THROW(simulate_drive({}, short_way, {.speed = 0.0}), Error);
   OdometryNoise noise;
   noise.translation_sigma = -1.0;
   EXPECT_THROW(simulate_drive({}, short_way, {.odometry = noise}), Error);
+  LidarModel slow = real_hokuyo_utm30lx();
+  slow.rate = 50.0;
+  EXPECT_THROW(simulate_drive({}, short_way, apr02(), {.lidar = slow}), Error);
 }
 
 }  // namespace

@@ -255,5 +255,65 @@ TEST(Lidar, ARealOneSwingsLosesAndMixesReadings) {
   EXPECT_EQ(real_hokuyo_utm30lx().problem(), "");
 }
 
+Person walker(const Point2& from, const Point2& to) {
+  Person person;
+  person.way = {from, to};
+  person.speed = 1.4;
+  return person;
+}
+
+/// The world with people frozen part of the way between two moments.
+World frozen(World world, double first, double last, double share) {
+  for (const Person& person : world.people) {
+    const PersonOutline before = outline_at(person, first);
+    const PersonOutline after = outline_at(person, last);
+    for (std::size_t k = 0; k < before.count; ++k)
+      world.pillars.push_back({before.centres[k] + share * (after.centres[k] - before.centres[k]), before.radius});
+  }
+  world.people.clear();
+  return world;
+}
+
+TEST(Lidar, SeesPeopleWhereTheyAreAtEachBeam) {
+  World world = corridor_world();
+  world.people = {walker({6.0, 1.5}, {12.0, 1.0}), walker({9.0, 0.6}, {9.1, 2.0}), walker({16.0, 1.2}, {3.0, 1.2})};
+  world.people.back().shape = PersonShape::body;
+  LidarModel lidar = real_hokuyo_utm30lx();
+  lidar.beams = 271;
+  lidar.angle_increment *= 4.0;
+  Random random(3);
+  std::vector<double> ranges;
+  std::vector<double> without;
+  int on_people = 0;
+  for (int run = 0; run < 100; ++run) {
+    lidar.sweep_time = run % 3 == 0 ? 0.0 : run % 3 == 1 ? 0.025 : 0.2;
+    const double stamp = random.uniform(0.0, 30.0);
+    const Pose2 T_map_laser{random.uniform(6.0, 14.0), random.uniform(0.4, 2.1), random.uniform(-3.1, 3.1)};
+    const Pose2 motion = run % 2 == 0 ? Pose2{} : Pose2{0.03, 0.01, random.uniform(-0.1, 0.1)};
+    true_ranges(world, T_map_laser, motion, lidar, ranges, stamp);
+    true_ranges(corridor_world(), T_map_laser, motion, lidar, without);
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      on_people += ranges[i] < without[i];
+      const double share = static_cast<double>(i) / 270.0;
+      const World there = frozen(world, stamp, stamp + lidar.sweep_time, share);
+      const double expected = brute_force(there, T_map_laser * interpolate(motion, share), angle_of(lidar, i));
+      ASSERT_NEAR(ranges[i], expected, 1e-6) << "run " << run << ", beam " << i;
+    }
+  }
+  EXPECT_GT(on_people, 500);
+}
+
+TEST(Lidar, ASweepIsStampedAndPeopleMoveBetweenSweeps) {
+  World world = room(5.0, 5.0);
+  world.people = {walker({2.0, -2.0}, {2.0, 2.0})};
+  Random random(1);
+  const LidarModel lidar = hokuyo_utm30lx(0.0);
+  const LaserScan early = scan(world, {}, lidar, random, 1.0);
+  const LaserScan later = scan(world, {}, lidar, random, 2.0);
+  EXPECT_EQ(early.stamp, 1.0);
+  EXPECT_EQ(later.stamp, 2.0);
+  EXPECT_NE(early.ranges, later.ranges);
+}
+
 }  // namespace
 }  // namespace slamicp::lidar_test

@@ -99,4 +99,14 @@ PointCloud2 cell_centres(const OccupancyGrid& grid);
 /// true walls on average, 10 mm rms; without the second rule 4 mm and 15 mm, the sides 28 mm.
 PointCloud2 wall_points(const OccupancyGrid& grid);
 
+/// What a laser's rays go through in a grid: free cells; unknown ones where there are no free ones. O(cells).
+CellState air_of(const OccupancyGrid& grid) noexcept;
+
+/// A cell that rays reach, and the point on the wall in it, as wall_points has it.
+struct WallCell {
+  Cell cell;
+  Point2 point;  ///< in the map's frame [m]
+};
+std::vector<WallCell> wall_cells(const OccupancyGrid& grid);
+
 }  // namespace slamicp

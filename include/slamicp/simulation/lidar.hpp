@@ -38,28 +38,35 @@ LidarModel hokuyo_utm30lx(double range_noise = 0.01);
 /// mixed at edges, and a sweep that takes 25 ms. Of the size that its data sheet and users report.
 LidarModel real_hokuyo_utm30lx();
 
-/// The exact distance that each beam travels to what it meets first: walls, pillars and obstacles [m]; infinity where
-/// it meets nothing. `ranges` keeps its memory from scan to scan.
+/// The exact distance that each beam travels to what it meets first: walls, pillars, doors as they stand, obstacles and
+/// people [m]; infinity where it meets nothing. `ranges` keeps its memory from scan to scan.
+///
+/// People are where they are when each beam is measured: along a straight line, and with constant velocity, from where
+/// they are at the first beam to where they are at the last, `sweep_time` later.
+/// @param stamp  of the first beam [s]
 ///
 /// A thing costs the beams that point at it, hidden or not, so a scan costs O(beams + things) for a usual world.
 /// Throws Error for a model with a `problem()`.
-void true_ranges(const World& world, const Pose2& T_map_laser, const LidarModel& lidar, std::vector<double>& ranges);
+void true_ranges(const World& world, const Pose2& T_map_laser, const LidarModel& lidar, std::vector<double>& ranges,
+                 double stamp = 0.0);
 
 /// The same for a laser that moves with constant velocity while it sweeps.
 /// @param T_map_laser   at the first beam
 /// @param T_first_last  its motion until the last beam: less than 1 m and 1 rad, and it turns by less than half of what
 ///                      it sweeps
 void true_ranges(const World& world, const Pose2& T_map_laser, const Pose2& T_first_last, const LidarModel& lidar,
-                 std::vector<double>& ranges);
+                 std::vector<double>& ranges, double stamp = 0.0);
 
 /// One sweep with noise, the robot standing still meanwhile. No return is 0. Draws as many numbers a beam whatever it
-/// meets, so the same seed gives the same noise with and without an obstacle. The stamp is 0.
-LaserScan scan(const World& world, const Pose2& T_map_robot, const LidarModel& lidar, Random& random);
+/// meets, so the same seed gives the same noise with and without an obstacle.
+/// @param stamp  of the first beam [s], where people are then; the scan has it
+LaserScan scan(const World& world, const Pose2& T_map_robot, const LidarModel& lidar, Random& random,
+               double stamp = 0.0);
 
 /// The same while the robot moves.
 /// @param T_map_robot   at the first beam
 /// @param sweep_motion  the robot's motion until the last beam, as LaserScan has it; the scan is not told
 LaserScan scan(const World& world, const Pose2& T_map_robot, const Pose2& sweep_motion, const LidarModel& lidar,
-               Random& random);
+               Random& random, double stamp = 0.0);
 
 }  // namespace slamicp

@@ -13,9 +13,10 @@ inline constexpr double default_map_spacing = 0.0086;
 inline constexpr double default_map_noise = 0.01;
 
 /// A map as a careful survey would make it: points at equal steps along walls and around pillars, off by normal noise
-/// along the surface's normal. Obstacles are left out: they are what the map does not know.
+/// along the surface's normal. Doors stand as the map has them. Obstacles and people are left out: they are what the
+/// map does not know.
 ///
-/// Points stand wall by wall, in the world's order, both faces of a thin thing included.
+/// Points stand wall by wall, then pillars, then doors, in the world's order, both faces of a thin thing included.
 /// @param spacing      at most this far apart along a wall [m], > 0
 /// @param noise_sigma  standard deviation [m], >= 0
 /// Throws Error for a spacing or noise out of range.
