@@ -62,5 +62,5 @@ slamicp_io_module(GZIP zlib "Read logs packed with gzip" "logs packed with gzip 
 slamicp_io_module(XZ liblzma "Read logs packed with xz" "logs packed with xz are not read")
 slamicp_io_module(ZSTD libzstd "Read logs and MCAP files packed with zstd" "logs and MCAP files packed with zstd are not read")
 slamicp_io_module(SQLITE sqlite3 "Read rosbag2 databases" "rosbag2 databases are not read")
-slamicp_io_module(YAML yaml-cpp "Read rosbag2 folders and map_server maps" "rosbag2 folders and map_server maps are not read")
+slamicp_io_module(YAML yaml-cpp "Read rosbag2 folders, map_server maps and worlds" "rosbag2 folders, map_server maps and worlds are not read")
 slamicp_io_package(CDR fastcdr fastcdr fastcdr "Read messages of ROS 2" "messages of ROS 2 are not read" 1)

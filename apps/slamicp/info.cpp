@@ -12,6 +12,7 @@
 #include <slamicp/io/scan_log.hpp>
 #include <slamicp/search/indexed_points.hpp>
 
+#include "info_world.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 #include "words.hpp"
@@ -242,6 +243,7 @@ void run(const InfoWords& words) {
   const FileKind kind = kind_of(words.file);
   if (kind == FileKind::scan_log) return tell_log(words);
   if (kind == FileKind::occupancy_map) return tell_map(words);
+  if (kind == FileKind::world) return tell_world(words.file, words.json);
   const Cloud cloud = load_cloud(words.file);
   if (const auto* plane = std::get_if<PointCloud2>(&cloud.points))
     tell_points<2>(*plane, cloud, words);
@@ -252,9 +254,10 @@ void run(const InfoWords& words) {
 }  // namespace
 
 void add_info(CLI::App& program) {
-  CLI::App* verb = program.add_subcommand("info", "what a log, cloud or map holds, and what is wrong with it");
+  CLI::App* verb = program.add_subcommand("info", "what a log, cloud, map or world holds, and what is wrong with it");
   const auto words = std::make_shared<InfoWords>();
-  verb->add_option("FILE", words->file, std::string("a log (") + log_words + ") or a cloud or map (" + map_words + ")")
+  verb->add_option("FILE", words->file,
+                   std::string("a log (") + log_words + "), a cloud or map (" + map_words + "), or a world (.yaml)")
       ->required();
   add_log_options(*verb, words->reading);
   add_json(*verb, words->json);

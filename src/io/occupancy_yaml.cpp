@@ -116,6 +116,9 @@ OccupancyMapHeader parse_occupancy_yaml(std::string_view text, const std::string
   try {
     const YAML::Node root = YAML::Load(std::string(text));
     if (!root.IsMap()) throw Error("no 'key: value' lines", name, mend);
+    if (root["world"].IsDefined() && !root["image"].IsDefined())
+      throw Error("is a world of the simulator, no map", name,
+                  "make a map of it: slamicp simulate --world " + name + " --out LOG --map-out MAP");
     return YamlReader(root, name).read();
   } catch (const YAML::Exception& problem) {
     const bool has_line = !problem.mark.is_null();
