@@ -7,13 +7,13 @@
 namespace slamicp {
 namespace {
 
-std::string exactly(double number) {
+std::string exact_number(double number) {
   std::string text;
   text::append_exact(text, number);
   return text;
 }
 
-std::string in_degrees(double angle) { return exactly(angle * deg_per_rad); }
+std::string in_degrees(double angle) { return exact_number(angle * deg_per_rad); }
 
 std::string in_quotes(const std::string& name) {
   constexpr std::string_view digits = "0123456789ABCDEF";
@@ -30,7 +30,9 @@ std::string in_quotes(const std::string& name) {
   return text + '"';
 }
 
-std::string point_yaml(const Point2& point) { return '[' + exactly(point.x()) + ", " + exactly(point.y()) + ']'; }
+std::string point_yaml(const Point2& point) {
+  return '[' + exact_number(point.x()) + ", " + exact_number(point.y()) + ']';
+}
 
 std::string points_yaml(const PointCloud2& points) {
   std::string text;
@@ -39,12 +41,13 @@ std::string points_yaml(const PointCloud2& points) {
 }
 
 std::string box_yaml(const Box& box) {
-  return "{centre: " + point_yaml(box.centre) + ", width: " + exactly(box.width) + ", depth: " + exactly(box.depth) +
+  return "{centre: " + point_yaml(box.centre) + ", width: " + exact_number(box.width) +
+         ", depth: " + exact_number(box.depth) +
          (box.heading == 0.0 ? "" : ", heading_deg: " + in_degrees(box.heading)) + '}';
 }
 
 std::string round_yaml(const Point2& centre, double radius) {
-  return "{centre: " + point_yaml(centre) + ", radius: " + exactly(radius) + '}';
+  return "{centre: " + point_yaml(centre) + ", radius: " + exact_number(radius) + '}';
 }
 
 /// Walls that follow upon each other are one polyline.
@@ -61,8 +64,8 @@ std::string walls_yaml(const std::vector<Segment>& walls) {
 std::string door_yaml(const Door& door) {
   return "  - name: " + in_quotes(door.name) + "\n    hinge: " + point_yaml(door.hinge) +
          "\n    latch: " + point_yaml(door.latch) + "\n    open_deg: " + in_degrees(door.opening) +
-         "\n    mapped_open_deg: " + in_degrees(door.mapped_opening) + "\n    thickness: " + exactly(door.thickness) +
-         '\n';
+         "\n    mapped_open_deg: " + in_degrees(door.mapped_opening) +
+         "\n    thickness: " + exact_number(door.thickness) + '\n';
 }
 
 std::string obstacle_yaml(const PlacedObstacle& obstacle) {
@@ -79,7 +82,7 @@ std::string person_yaml(const Person& person) {
   const Person usual;
   std::string text = "  - name: " + in_quotes(person.name) + "\n    way: " + points_yaml(person.way) + '\n';
   const auto add = [&](const char* key, double number, double otherwise) {
-    if (number != otherwise) text += std::string("    ") + key + ": " + exactly(number) + '\n';
+    if (number != otherwise) text += std::string("    ") + key + ": " + exact_number(number) + '\n';
   };
   if (person.is_loop) text += "    loop: true\n";
   add("speed", person.speed, usual.speed);

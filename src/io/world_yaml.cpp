@@ -17,12 +17,12 @@
 namespace slamicp {
 namespace {
 
-constexpr std::size_t longest_world = 8U << 20U;  // [bytes]
-constexpr std::size_t most_points = 1'000'000;    // an alias of YAML may stand for a list in many places
+constexpr std::size_t longest_world = 8U << 20U;      // [bytes]
+constexpr std::size_t most_world_points = 1'000'000;  // an alias of YAML may stand for a list in many places
 constexpr YamlRange size_range{0.0, 1e4, "m", true};
 constexpr YamlRange time_range{0.0, 1e6, "s"};
 
-using Keys = std::initializer_list<std::string_view>;
+using WorldKeys = std::initializer_list<std::string_view>;
 
 class WorldReader {
  public:
@@ -55,8 +55,8 @@ class WorldReader {
   }
 
  private:
-  YamlFields take(const YAML::Node& node, std::string_view what, Keys keys) {
-    if (++things_ > most_points) YamlFields::fail("the world has too much in it", file_, "leave some out");
+  YamlFields take(const YAML::Node& node, std::string_view what, WorldKeys keys) {
+    if (++things_ > most_world_points) YamlFields::fail("the world has too much in it", file_, "leave some out");
     return {node, what, keys, file_};
   }
 

@@ -18,20 +18,20 @@ namespace {
 
 constexpr YamlRange coordinate_range{-1e6, 1e6, "m"};
 
-std::string listed(std::span<const std::string_view> names) {
+std::string keys_listed(std::span<const std::string_view> names) {
   std::string list;
   for (const std::string_view name : names) list.append(list.empty() ? "" : ", ").append(name);
   return list;
 }
 
 /// "did you mean 'radius'?", or all there are.
-std::string suggestion(std::string_view word, std::span<const std::string_view> names, std::string_view all) {
+std::string name_suggestion(std::string_view word, std::span<const std::string_view> names, std::string_view all) {
   const std::string_view nearest = text::nearest_name(word, names);
   if (!nearest.empty()) return "did you mean '" + std::string(nearest) + "'?";
-  return std::string(all) + " " + listed(names);
+  return std::string(all) + " " + keys_listed(names);
 }
 
-std::string said(const YamlRange& range) {
+std::string range_said(const YamlRange& range) {
   std::string text = range.is_open ? "give a number above " : "give a number from ";
   text::append_general(text, range.lowest, 6);
   text += range.is_open ? ", at most " : " to ";
@@ -44,12 +44,12 @@ std::string said(const YamlRange& range) {
 YamlFields::YamlFields(const YAML::Node& node, std::string_view what, std::span<const std::string_view> known,
                        const std::string& file)
     : node_(node), what_(what), file_(file) {
-  if (!node.IsMap()) fail(what_ + " has no 'key: value' pairs", where(), "it may have: " + listed(known));
+  if (!node.IsMap()) fail(what_ + " has no 'key: value' pairs", where(), "it may have: " + keys_listed(known));
   std::set<std::string> keys;
   for (const auto& pair : node) {
     const std::string key = pair.first.IsScalar() ? pair.first.Scalar() : std::string();
     if (std::find(known.begin(), known.end(), key) == known.end())
-      fail(what_ + " has no key " + text::quoted(key), where(pair.first), suggestion(key, known, "it may have:"));
+      fail(what_ + " has no key " + text::quoted(key), where(pair.first), name_suggestion(key, known, "it may have:"));
     if (!keys.insert(key).second)
       fail(what_ + " has the key '" + key + "' twice", where(pair.first), "leave one of them out");
   }
@@ -90,9 +90,9 @@ double YamlFields::number_in(const YAML::Node& node, std::string_view key, const
   const std::optional<double> number = text::to_number<double>(word);
   if (!number || !std::isfinite(*number))
     fail("'" + std::string(key) + "' of " + what_ + " is not a number: " + text::quoted(word), where(node),
-         said(range));
+         range_said(range));
   const bool is_in = (range.is_open ? *number > range.lowest : *number >= range.lowest) && *number <= range.highest;
-  if (!is_in) fail("'" + std::string(key) + "' of " + what_ + " is " + word, where(node), said(range));
+  if (!is_in) fail("'" + std::string(key) + "' of " + what_ + " is " + word, where(node), range_said(range));
   return *number;
 }
 
@@ -128,7 +128,7 @@ std::size_t YamlFields::choice(std::string_view key, std::span<const std::string
   const auto found = std::find(choices.begin(), choices.end(), word);
   if (found == choices.end())
     fail("'" + std::string(key) + "' of " + what_ + " is " + text::quoted(word), where(node),
-         suggestion(word, choices, "give one of:"));
+         name_suggestion(word, choices, "give one of:"));
   return static_cast<std::size_t>(found - choices.begin());
 }
 

@@ -6,14 +6,15 @@
 namespace slamicp {
 namespace {
 
-double side_of(const Segment& line, const Point2& point) noexcept {
+double side_of_line(const Segment& line, const Point2& point) noexcept {
   const Point2 along = line.b - line.a;
   const Point2 to = point - line.a;
   return along.x() * to.y() - along.y() * to.x();
 }
 
 bool do_cross(const Segment& one, const Segment& other) noexcept {
-  return side_of(one, other.a) * side_of(one, other.b) < 0.0 && side_of(other, one.a) * side_of(other, one.b) < 0.0;
+  return side_of_line(one, other.a) * side_of_line(one, other.b) < 0.0 &&
+         side_of_line(other, one.a) * side_of_line(other, one.b) < 0.0;
 }
 
 /// 0 where they cross; else one of the four ends is nearest to the other line.

@@ -16,14 +16,16 @@ namespace slamicp {
 namespace {
 
 constexpr int most_tries = 500;
-constexpr double group_distance = 0.6;  // of who stands from the route [m]
+constexpr double group_distance = 0.5;  // of who stands from the route, and from who else stands [m]
 
 /// Finds people places about a route. What a place asks for is in `try_...`: nothing, where chance chose badly.
 class CrowdPlanner {
  public:
   CrowdPlanner(const World& world, std::span<const Point2> route, const CrowdOptions& options)
       : options_(options), clearance_(world), route_(route), random_(Random(options.seed).stream(4)) {
-    for (const Pose2& pose : route_.sampled(0.1)) route_points_.push_back(pose.translation());
+    for (const Pose2& pose : route_.sampled(0.1)) taken_.push_back(pose.translation());
+    for (const Person& person : world.people)
+      if (person.way.size() == 1) taken_.push_back(person.way[0]);
   }
 
   std::vector<Person> people() {
@@ -122,31 +124,32 @@ class CrowdPlanner {
 
   std::vector<Person> try_group(const Pose2& place, std::size_t most) {
     const std::size_t wanted = std::min(most, 2 + static_cast<std::size_t>(random_.uniform(0.0, 3.0)));
-    const double aside = random_.uniform(0.9, 3.0) * (random_.uniform() < 0.5 ? -1.0 : 1.0);
+    const double aside = random_.uniform(0.6, 2.2) * (random_.uniform() < 0.5 ? -1.0 : 1.0);
     const Point2 middle = place * Point2(0.0, aside);
     const double turned = random_.uniform(-std::numbers::pi, std::numbers::pi);
     std::vector<Person> group;
     for (std::size_t k = 0; k < wanted; ++k) {
       const double angle = turned + 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(wanted);
-      const Point2 stand = middle + 0.45 * Point2(std::cos(angle), std::sin(angle));
-      if (!is_free(stand, stand) || !is_in_sight(place, stand) || is_in_the_way(stand)) return {};
+      const Point2 stand = middle + 0.4 * Point2(std::cos(angle), std::sin(angle));
+      if (!is_free(stand, stand) || !is_in_sight(place, stand) || is_taken(stand)) return {};
       Person person;
       person.way = {stand};
       person.heading = wrap_angle(angle + std::numbers::pi);
       group.push_back(std::move(person));
     }
+    for (const Person& person : group) taken_.push_back(person.way[0]);
     return group;
   }
 
-  bool is_in_the_way(const Point2& point) const noexcept {
-    return std::any_of(route_points_.begin(), route_points_.end(),
-                       [&](const Point2& passed) { return (passed - point).norm() < group_distance; });
+  bool is_taken(const Point2& point) const noexcept {
+    return std::any_of(taken_.begin(), taken_.end(),
+                       [&](const Point2& other) { return (other - point).norm() < group_distance; });
   }
 
   CrowdOptions options_;
   Clearance clearance_;
   SplinePath route_;
-  PointCloud2 route_points_;
+  PointCloud2 taken_;  // by the robot's way, and by who stands
   Random random_;
 };
 

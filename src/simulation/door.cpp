@@ -10,7 +10,7 @@
 namespace slamicp {
 namespace {
 
-constexpr double touch = 1e-6;  // what only touches a gap is not cut [m]
+constexpr double gap_touch = 1e-6;  // what only touches a gap is not cut [m]
 
 /// The part of a line between two shares of it.
 struct SharedPart {
@@ -19,9 +19,9 @@ struct SharedPart {
 };
 
 /// The gap of a door, along x from its hinge to its latch, in its own frame.
-class Gap {
+class DoorGap {
  public:
-  explicit Gap(const Door& door) {
+  explicit DoorGap(const Door& door) {
     const Point2 across = door.latch - door.hinge;
     width_ = across.norm();
     T_map_gap_ = {door.hinge.x(), door.hinge.y(), std::atan2(across.y(), across.x())};
@@ -31,22 +31,22 @@ class Gap {
   /// What of the wall lies outside the gap.
   void cut(const Segment& wall, std::vector<Segment>& left) {
     const Segment in_gap{T_gap_map_ * wall.a, T_gap_map_ * wall.b};
-    const std::optional<SharedPart> core = part_inside(in_gap, touch);
-    if (!core || (core->to - core->from) * (wall.b - wall.a).norm() <= touch) {
+    const std::optional<SharedPart> core = part_inside(in_gap, gap_touch);
+    if (!core || (core->to - core->from) * (wall.b - wall.a).norm() <= gap_touch) {
       left.push_back(wall);
       return;
     }
     const SharedPart part = part_inside(in_gap, 0.0).value_or(*core);
     const Point2 along = wall.b - wall.a;
-    if (part.from * along.norm() > touch) left.push_back({wall.a, wall.a + part.from * along});
-    if ((1.0 - part.to) * along.norm() > touch) left.push_back({wall.a + part.to * along, wall.b});
+    if (part.from * along.norm() > gap_touch) left.push_back({wall.a, wall.a + part.from * along});
+    if ((1.0 - part.to) * along.norm() > gap_touch) left.push_back({wall.a + part.to * along, wall.b});
     for (const double share : {part.from, part.to}) note(in_gap.a + share * (in_gap.b - in_gap.a));
   }
 
   /// The reveals: from face to face of the wall, at both ends of the gap.
   void add_reveals(std::vector<Segment>& walls) const {
     for (const auto& [x, span] : {std::pair(0.0, at_hinge_), std::pair(width_, at_latch_)})
-      if (span.to - span.from > touch)
+      if (span.to - span.from > gap_touch)
         walls.push_back({T_map_gap_ * Point2(x, span.from), T_map_gap_ * Point2(x, span.to)});
   }
 
@@ -74,7 +74,7 @@ class Gap {
 
   void note(const Point2& cut) noexcept {
     for (auto& [x, span] : {std::pair<double, SharedPart&>(0.0, at_hinge_), {width_, at_latch_}}) {
-      if (std::abs(cut.x() - x) > touch) continue;
+      if (std::abs(cut.x() - x) > gap_touch) continue;
       span.from = std::min(span.from, cut.y());
       span.to = std::max(span.to, cut.y());
     }
@@ -90,7 +90,7 @@ class Gap {
 }  // namespace
 
 World with_door(World world, Door door) {
-  Gap gap(door);
+  DoorGap gap(door);
   std::vector<Segment> walls;
   walls.reserve(world.walls.size());
   for (const Segment& wall : world.walls) gap.cut(wall, walls);

@@ -10,20 +10,20 @@
 namespace slamicp {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double no_return = std::numeric_limits<double>::infinity();
+constexpr double full_turn = 2.0 * std::numbers::pi;
+constexpr double endless = std::numeric_limits<double>::infinity();
 
 double cross(const Point2& a, const Point2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The directions that a thing spans, counter-clockwise from `lower` [rad].
 struct Span {
   double lower = 0.0;
-  double width = turn;
+  double width = full_turn;
 };
 
 /// Both, the second one about where the first is.
 Span joined(const Span& a, const Span& b) noexcept {
-  const double offset = std::remainder(b.lower - a.lower, turn);
+  const double offset = std::remainder(b.lower - a.lower, full_turn);
   const double lower = std::min(0.0, offset);
   return {a.lower + lower, std::max(a.width, offset + b.width) - lower};
 }
@@ -35,7 +35,7 @@ class Fan {
   Fan(const LidarModel& lidar, const Pose2& T_first_last, std::vector<double>& ranges)
       : angle_min_(lidar.angle_min), angle_increment_(lidar.angle_increment), ranges_(ranges) {
     const auto beams = static_cast<std::size_t>(lidar.beams);
-    ranges_.assign(beams, no_return);
+    ranges_.assign(beams, endless);
     directions_.resize(beams);
     origins_.assign(beams, Point2::Zero());
     const double last = std::max(1.0, static_cast<double>(beams) - 1.0);
@@ -105,7 +105,7 @@ class Fan {
   static Span span_of_round(const Point2& to, double radius) noexcept {
     const double squared_distance = to.squaredNorm();
     const bool inside = squared_distance <= radius * radius;
-    const double half_width = inside ? turn / 2.0 : std::asin(radius / std::sqrt(squared_distance));
+    const double half_width = inside ? full_turn / 2.0 : std::asin(radius / std::sqrt(squared_distance));
     return {std::atan2(to.y(), to.x()) - half_width, 2.0 * half_width};
   }
 
@@ -139,8 +139,8 @@ class Fan {
   template <typename Visit>
   void for_beams(const Span& span, const Visit& visit) noexcept {
     const double lower_beam = positive_remainder(span.lower - angle_min_) / angle_increment_;
-    const double width_in_beams = std::min(span.width, turn) / angle_increment_;
-    const double turn_in_beams = turn / angle_increment_;
+    const double width_in_beams = std::min(span.width, full_turn) / angle_increment_;
+    const double turn_in_beams = full_turn / angle_increment_;
     const double last_beam = static_cast<double>(ranges_.size()) - 1.0;
     for (double start = lower_beam - turn_in_beams; start <= last_beam; start += turn_in_beams) {
       const double first = std::max(0.0, std::ceil(start - 1e-6));
@@ -151,7 +151,7 @@ class Fan {
     }
   }
 
-  static double positive_remainder(double angle) noexcept { return angle - turn * std::floor(angle / turn); }
+  static double positive_remainder(double angle) noexcept { return angle - full_turn * std::floor(angle / full_turn); }
 
   double angle_min_;
   double angle_increment_;  // from beam to beam, as the laser turns with the robot
@@ -168,7 +168,8 @@ std::string LidarModel::problem() const {
   if (beams < 1) return "beams is " + std::to_string(beams) + ": give at least 1";
   if (!std::isfinite(angle_min)) return "angle_min is not a finite number: give radians";
   if (!(angle_increment > 0.0)) return "angle_increment must be above 0 rad: count beams counter-clockwise";
-  if (!(angle_increment * (beams - 1) < turn * (1.0 + 1e-9))) return "the beams span more than one turn: give fewer";
+  if (!(angle_increment * (beams - 1) < full_turn * (1.0 + 1e-9)))
+    return "the beams span more than one turn: give fewer";
   if (!(range_min >= 0.0 && range_max > range_min)) return "ranges must be 0 <= range_min < range_max [m]";
   if (!(rate > 0.0)) return "rate must be above 0 Hz";
   if (!(sweep_time >= 0.0 && std::isfinite(sweep_time))) return "sweep_time must be 0 s or more";
@@ -279,7 +280,7 @@ LaserScan scan(const World& world, const Pose2& T_map_robot, const Pose2& sweep_
   for (const double range : ranges) {
     const double sigma = lidar.range_noise + lidar.noise_per_metre * std::min(range, lidar.range_max);
     double reading = range + sigma * random.normal();
-    if (lidar.bias > 0.0) reading += lidar.bias * std::sin(turn * range / lidar.bias_period);
+    if (lidar.bias > 0.0) reading += lidar.bias * std::sin(full_turn * range / lidar.bias_period);
     const bool lost = lidar.dropouts > 0.0 && random.uniform() < lidar.dropouts;
     const auto stored = static_cast<float>(reading);
     const bool seen = !lost && range >= lidar.range_min && range < lidar.range_max && is_return(result, stored);

@@ -15,9 +15,9 @@ struct Gait {
 };
 
 /// One round of a way: corner after corner until the first again.
-class Round {
+class WayRound {
  public:
-  explicit Round(const Person& person) noexcept
+  explicit WayRound(const Person& person) noexcept
       : person_(person), count_(person.way.size() < 2 ? 0 : legs_of(person)) {}
 
   double duration() const noexcept {
@@ -84,7 +84,7 @@ class Round {
 Gait gait_at(const Person& person, double stamp) noexcept {
   if (person.way.empty()) return {};
   if (person.way.size() == 1) return {{person.way[0].x(), person.way[0].y(), wrap_angle(person.heading)}};
-  const Round round(person);
+  const WayRound round(person);
   const double duration = round.duration();
   const double seconds = std::fmod(person.start + stamp, duration);
   return round.at(seconds < 0.0 ? seconds + duration : seconds);

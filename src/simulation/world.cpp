@@ -10,7 +10,7 @@
 namespace slamicp {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nothing_near = std::numeric_limits<double>::infinity();
 
 double distance_to_round(const Point2& centre, double radius, const Point2& point) noexcept {
   return std::max(0.0, (point - centre).norm() - radius);
@@ -75,14 +75,14 @@ double distance(const Cylinder& cylinder, const Point2& point) noexcept {
 }
 
 double distance(const PlacedObstacle& obstacle, const Point2& point) noexcept {
-  double nearest = infinity;
+  double nearest = nothing_near;
   for (const Box& box : obstacle.boxes) nearest = std::min(nearest, distance(box, point));
   for (const Cylinder& cylinder : obstacle.cylinders) nearest = std::min(nearest, distance(cylinder, point));
   return nearest;
 }
 
 double distance_to_walls(const World& world, const Point2& point) noexcept {
-  double nearest = infinity;
+  double nearest = nothing_near;
   for (const Segment& wall : world.walls) nearest = std::min(nearest, distance(wall, point));
   for (const Circle& pillar : world.pillars)
     nearest = std::min(nearest, distance_to_round(pillar.centre, pillar.radius, point));

@@ -11,7 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     slamicp::World world = slamicp::parse_world_yaml(bytes, "fuzz").world;
     // What was read can be written and read again, but for one that was nothing but its floor plan.
     const bool has_things = !world.walls.empty() || !world.pillars.empty();
-    if (has_things && slamicp::parse_world_yaml(slamicp::world_yaml(world), "again").world.walls.size() != world.walls.size())
+    if (has_things &&
+        slamicp::parse_world_yaml(slamicp::world_yaml(world), "again").world.walls.size() != world.walls.size())
       std::abort();
     for (const slamicp::Person& person : world.people)
       if (!person.problem().empty() || !slamicp::pose_at(person, 12.3).is_finite()) std::abort();

@@ -58,9 +58,12 @@ TEST(Crowd, EachLayoutIsWhatItsNameSays) {
     for (const Point2& corner : person.way)
       EXPECT_NEAR(path.nearest(corner, 0.0, path.length()).cross_track, offset, 0.15) << person.name;
   }
-  for (const Person& person : crowded({.people = 9, .layout = CrowdLayout::groups}).people) {
+  const World standing = crowded({.people = 9, .layout = CrowdLayout::groups});
+  for (const Person& person : standing.people) {
     EXPECT_EQ(person.way.size(), 1U);
-    EXPECT_GT(std::abs(path.nearest(person.way[0], 0.0, path.length()).cross_track), 0.55);
+    EXPECT_GT(std::abs(path.nearest(person.way[0], 0.0, path.length()).cross_track), 0.48);
+    for (const Person& other : standing.people)
+      EXPECT_TRUE(&other == &person || (other.way[0] - person.way[0]).norm() > 0.49) << person.name;
   }
   std::size_t corners = 0;
   for (const Person& person : crowded({.people = 10, .layout = CrowdLayout::random_walk}).people)

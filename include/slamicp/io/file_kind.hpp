@@ -13,7 +13,8 @@ enum class FileKind {
 };
 
 /// What a file holds, by its ending; a `.csv` may be either, and its first full line tells: a point has two or three
-/// numbers, a scan more; a `.yaml` with the key `world` is a world, any other a map. Throws Error for an unknown ending, or a `.csv` that cannot be read.
+/// numbers, a scan more; a `.yaml` with the key `world` is a world, any other a map. Throws Error for an unknown
+/// ending, or a `.csv` that cannot be read.
 FileKind kind_of(const std::filesystem::path& path);
 
 }  // namespace slamicp

@@ -13,7 +13,7 @@ namespace slamicp {
 enum class CrowdLayout {
   crossing,     ///< from side to side across the way, there and back
   along,        ///< beside the way and parallel to it, 10 m at most, there and back
-  groups,       ///< two to four stand together beside the way and talk
+  groups,       ///< two to four stand together beside the way and talk; who is left over stands alone
   random_walk,  ///< from place to place as chance has it, twelve places at most, there and back
 };
 
