@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include <slamicp/error.hpp>
 #include <slamicp/localization/localizer.hpp>
 #include <slamicp/registration/icp.hpp>
 
+#include "localization/pose_belief.hpp"
 #include "localization/prediction.hpp"
+#include "localization/slide.hpp"
 
 namespace slamicp {
 
@@ -19,12 +22,15 @@ IcpOptions LocalizerOptions::icp() const noexcept {
   icp.kernel_scale = kernel_scale;
   icp.guess_share = guess_share;
   icp.final_gate = final_gate;
+  icp.noise = noise;
   return icp;
 }
 
 std::string LocalizerOptions::problem() const {
   if (!(ranges.min_range >= 0.0)) return "ranges.min_range must be at least 0 m";
   if (!(ranges.max_range > ranges.min_range)) return "ranges.max_range must be above ranges.min_range";
+  if (const std::string in_prediction = prediction.problem(); !in_prediction.empty())
+    return "prediction: " + in_prediction;
   return icp().problem();
 }
 
@@ -37,21 +43,41 @@ double half_of(std::span<const LaserScan> scans) noexcept {
   return sum / static_cast<double>(scans.size());
 }
 
+/// How the scan's rays lie; those of joined scans count as the first one's.
+Rays rays_of(const LaserScan& scan) noexcept {
+  Rays rays;
+  const double spacing = std::abs(scan.angle_increment);
+  if (spacing > 1e-6 && spacing < 1.0) rays.spacing = spacing;
+  if (is_finite<2>(scan.T_robot_laser.translation())) rays.origin = scan.T_robot_laser.translation();
+  return rays;
+}
+
 }  // namespace
 
 struct Localizer::State {
   explicit State(const LocalizerOptions& chosen)
-      : options(chosen), icp(chosen.icp()), prediction(chosen.use_odometry) {}
+      : options(chosen), icp(chosen.icp()), prediction(chosen.use_odometry), belief(chosen.prediction) {
+    forget();
+  }
 
   LocalizerOptions options;
   Icp<2> icp;
   Prediction prediction;
+  PoseBelief belief;
+  PosePrior prior;  // the prediction, where it takes part
   PointMap2::Pointer map;  // null until the first scan in scan-to-scan mode
   bool scan_to_scan = false;
   std::vector<ScanProjector> projectors;  // one for each of the scans that are joined
   Fix fix;
 
+  bool fuses() const noexcept {
+    return options.outputs.covariance && options.method == Method::point_to_line && !scan_to_scan;
+  }
+  void forget() noexcept;
   void match(std::span<const LaserScan> scans);
+  void predict(const LaserScan& first, const Pose2& motion) noexcept;
+  void judge(const LaserScan& first) noexcept;
+  void look_along_blind_direction();
   void project(std::span<const LaserScan> scans, const Velocity& velocity);
   SweepMotion sweep_of(const LaserScan& scan, const LaserScan& first, const Velocity& velocity) const noexcept;
   bool worth_another_look(std::span<const LaserScan> scans, const Velocity& before, const Velocity& now) const noexcept;
@@ -65,13 +91,15 @@ void Localizer::State::match(std::span<const LaserScan> scans) {
   const Pose2 motion = prediction.motion_until(first);
   const Pose2 predicted = fix.pose * motion;
   fix.predicted = predicted.is_finite() ? predicted : fix.pose;  // odometry may tell tales
+  predict(first, motion);
   Velocity velocity = prediction.velocity_at(first, motion);
   const double half = half_of(scans);
   project(scans, velocity);
   if (map) {
     fix.map = map;
     align_to_map(fix.predicted);
-    if (fix.usable()) {
+    if (fuses()) look_along_blind_direction();
+    if (fix.match.usable()) {
       const Pose2 middle = fix.match.pose * velocity.over(half);
       const Velocity measured = prediction.velocity_at(first, prediction.motion_to(middle));
       if (worth_another_look(scans, velocity, measured)) {
@@ -82,9 +110,63 @@ void Localizer::State::match(std::span<const LaserScan> scans) {
     }
     fix.pose =
         fix.match.stop == Stop::too_few_points || fix.match.stop == Stop::no_overlap ? fix.predicted : fix.match.pose;
+    if (options.outputs.covariance) judge(first);
   }
   prediction.remember(first, fix.pose * velocity.over(half));
   if (scan_to_scan) take_scan_as_map();
+}
+
+void Localizer::State::forget() noexcept {
+  // Who sets a pose knows it to about where a match would find it.
+  belief.forget(options.max_correspondence_distance / 3.0, 0.1);
+  prediction.forget();
+}
+
+void Localizer::State::predict(const LaserScan& first, const Pose2& motion) noexcept {
+  prior = {};
+  if (!fuses()) return;
+  if (prediction.is_by_odometry(first))
+    belief.move_by_odometry(motion);
+  else if (prediction.has_last())
+    belief.move_by_velocity(motion);
+  prior = belief.prior(fix.predicted);
+  icp.set_rays(rays_of(first));
+}
+
+/// How sure the fix is, and what it follows where the scan does not hold it.
+void Localizer::State::judge(const LaserScan& first) noexcept {
+  const Uncertainty& match = fix.match.uncertainty;
+  fix.carried_by = Carrier::scan;
+  fix.blind_direction.setZero();
+  if (match.blind || !match.known)
+    fix.carried_by = prediction.is_by_odometry(first) ? Carrier::odometry : Carrier::velocity;
+  if (match.blind) fix.blind_direction = fix.pose.rotation() * match.weakest;
+  if (!fuses()) {
+    fix.covariance = match.covariance;
+    return;
+  }
+  belief.fuse(match, prior, fix.pose.theta);
+  fix.covariance = belief.covariance();
+}
+
+/// Where the position may be far off in some direction, what has no match here may have one further along. If so, the
+/// match starts again there.
+void Localizer::State::look_along_blind_direction() {
+  const Eigen::Matrix2d covariance = belief.covariance().topLeftCorner<2, 2>();
+  const double enough = options.max_correspondence_distance / 3.0;
+  if (!(covariance.trace() > 4.0 * enough * enough) || !fix.match.uncertainty.known) return;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+  eigen.computeDirect(covariance);
+  const Vector<2> direction = fix.match.pose.rotation() * eigen.eigenvectors().col(1);
+  const Slide slide(*map, fix.scan.in_robot, fix.match.pose, options.max_correspondence_distance);
+  const auto shift = slide.best_shift(direction, 3.0 * std::sqrt(eigen.eigenvalues()[1]));
+  if (!shift) return;
+  Pose2 start = fix.match.pose;
+  start.x += *shift * direction.x();
+  start.y += *shift * direction.y();
+  align_to_map(start);
+  if (fix.match.stop == Stop::converged) return;
+  align_to_map(fix.predicted);
 }
 
 /// The points of all scans, where they are as seen from the robot at the first one's stamp.
@@ -135,7 +217,7 @@ bool Localizer::State::worth_another_look(std::span<const LaserScan> scans, cons
 }
 
 void Localizer::State::align_to_map(const Pose2& guess) {
-  const IcpResult2& result = icp.align(map->indexed(), fix.scan.in_robot, guess, options.outputs);
+  const IcpResult2& result = icp.align(map->indexed(), fix.scan.in_robot, guess, options.outputs, prior);
   // The copy gets as much room as the original: a scan with more outliers than those before allocates nothing.
   fix.match.outlier_indices.reserve(result.outlier_indices.capacity());
   fix.match.outliers_in_map.reserve(result.outliers_in_map.capacity());
@@ -179,7 +261,7 @@ void Localizer::set_pose(const Pose2& pose) {
   if (!pose.is_finite())
     throw Error("the pose is not finite", "Localizer::set_pose", "give x [m], y [m], heading [rad]");
   state_->fix.pose = {pose.x, pose.y, wrap_angle(pose.theta)};
-  state_->prediction.forget();
+  state_->forget();
 }
 
 void Localizer::set_map(PointMap2::Pointer map) {

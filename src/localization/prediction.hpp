@@ -33,6 +33,12 @@ class Prediction {
     return has_velocity_ ? interpolate(velocity_, share_of_last_interval(scan.stamp)) : Pose2{};
   }
 
+  bool has_last() const noexcept { return has_last_; }
+  /// Whether motion_until() is what the wheels say.
+  bool is_by_odometry(const LaserScan& scan) const noexcept {
+    return has_last_ && last_odometry_ && has_odometry(scan);
+  }
+
   /// How fast it goes at the scan's stamp.
   /// @param motion  since the last scan, predicted or, once the scan is matched, measured
   Velocity velocity_at(const LaserScan& scan, const Pose2& motion) const noexcept {

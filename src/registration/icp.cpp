@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -19,8 +20,9 @@ constexpr std::size_t fewest_points = D + 1;
 /// The solver's gate: wide while the pose is far off, then down to where only the wall itself is left.
 class Gate {
  public:
-  Gate(const IcpOptions& options, double map_spacing) noexcept
-      : gate_(options.max_correspondence_distance),
+  /// @param unsure  how far off the guess may well be [m]
+  Gate(const IcpOptions& options, double map_spacing, double unsure) noexcept
+      : gate_(std::max(options.max_correspondence_distance, std::min(unsure, widest))),
         final_(options.final_gate > 0.0
                    ? options.final_gate
                    : std::min(options.max_correspondence_distance, std::max(smallest, spacings * map_spacing))) {}
@@ -37,10 +39,19 @@ class Gate {
   static constexpr double smallest = 0.05;  // [m], the noise of a lidar and a wall as thick as maps have them
   static constexpr double spacings = 2.5;   // of the map's points, so that a thin map is not torn from the scan
   static constexpr double shrinkage = 0.5;
+  static constexpr double widest = 1.0;  // [m]; nearest points farther off say nothing
 
   double gate_;
   double final_;
 };
+
+/// How far off the position may well be by what is known of it [m]; 0 where nothing is.
+double three_sigma(const PosePrior& prior) noexcept {
+  if (!prior.given()) return 0.0;
+  const Eigen::Matrix3d covariance = Eigen::Matrix3d(prior.information).inverse();
+  const double most = covariance.topLeftCorner<2, 2>().trace();
+  return std::isfinite(most) ? 3.0 * std::sqrt(std::max(most, 0.0)) : 0.0;
+}
 
 /// Watches the steps: how much motion is left, and whether it is little enough to stop.
 template <int D>
@@ -137,15 +148,18 @@ struct Icp<D>::State {
   Correspondences<D> correspondences;  // the match one point at a time
   VectorMatch vector_match;            // the match many points at a time, in the plane
   std::size_t room = 0;                // scan points to be ready for
+  Rays rays;
 
   bool is_vectorized() const noexcept { return D == 2 && vector_match.exists(); }
+  std::optional<NoiseModel> noise_model(const IndexedPoints<D>& map, bool wanted) const noexcept;
   std::size_t begin(const IndexedPoints<D>& map, PointView<D> scan);
   Step<D> step(const StepInput<D>& input) noexcept;
   std::size_t searches() const noexcept;
 
   void forget() noexcept;
   void make_room(std::size_t map_points, const Outputs& wanted);
-  void find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess);
+  void find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess, const NoiseModel* noise,
+                 const PosePrior& prior);
   void hand_out(const IndexedPoints<D>& map, PointView<D> scan, const Outputs& wanted);
   void match_all(PointView<D> scan, const Outputs& wanted, bool want_outliers);
   void find_outliers(PointView<D> scan);
@@ -160,6 +174,7 @@ void Icp<D>::State::forget() noexcept {
   result.outliers_in_map.clear();
   result.updated_map.clear();
   result.searches = result.searches_for_outputs = 0;
+  result.uncertainty = {};
 }
 
 template <int D>
@@ -169,6 +184,17 @@ void Icp<D>::State::make_room(std::size_t map_points, const Outputs& wanted) {
   if (wanted.transformed_scan) result.transformed_scan.reserve(room);
   if (wanted.updated_map) result.updated_map.reserve(map_points + room);
   if (wanted.matches) result.matches.reserve(room);
+}
+
+/// What the noise of the pairs is made of, where it is wanted and known: in the plane, point to line.
+template <int D>
+std::optional<NoiseModel> Icp<D>::State::noise_model(const IndexedPoints<D>& map, bool wanted) const noexcept {
+  if constexpr (D == 2) {
+    if (!wanted || options.method == Method::point_to_point) return {};
+    const LineNoise& found = map.line_noise();
+    return NoiseModel{options.noise, options.noise.map > 0.0 ? found.with(options.noise.map) : found, rays};
+  }
+  return {};
 }
 
 /// Takes up a scan. Returns how many of its points are numbers.
@@ -195,23 +221,26 @@ std::size_t Icp<D>::State::searches() const noexcept {
 }
 
 template <int D>
-void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess) {
+void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess,
+                              const NoiseModel* noise, const PosePrior& prior) {
   result.pose = guess;
   if (begin(map, scan) < fewest_points<D>) {
     result.stop = Stop::too_few_points;
     return;
   }
-  Gate gate(options, map.spacing());
+  Gate gate(options, map.spacing(), three_sigma(prior));
   Convergence<D> convergence(options, guess);
   Stride stride(D == 2 && options.coarse_to_fine ? scan.size() : 0);
   while (true) {
     const Step<D> step = this->step({map, scan, stride.value(), result.pose, gate.value(), options.kernel,
-                                     options.kernel_scale, guess, options.guess_share});
+                                     options.kernel_scale, guess, options.guess_share, noise, prior});
     result.pairs = step.pairs;
+    result.uncertainty = step.uncertainty;
     ++result.iterations;
     if (step.pairs < fewest_points<D> || !step.pose.is_finite()) {
       result.stop = Stop::no_overlap;
       result.pose = guess;
+      result.uncertainty = {};
       return;
     }
     const PoseDistance moved = distance(result.pose, step.pose);
@@ -324,7 +353,7 @@ Icp<D>& Icp<D>::operator=(Icp&&) noexcept = default;
 
 template <int D>
 const IcpResult<D>& Icp<D>::align(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess,
-                                  const Outputs& wanted) {
+                                  const Outputs& wanted, const PosePrior& prior) {
   if (!guess.is_finite())
     throw Error("the guess is not finite", "Icp::align", "give the last known pose, or set one where the robot starts");
   if (state_->options.method != Method::point_to_point && map.size() > 0 && !map.has_surfaces())
@@ -333,11 +362,18 @@ const IcpResult<D>& Icp<D>::align(const IndexedPoints<D>& map, PointView<D> scan
   state_->forget();
   state_->room = std::max(state_->room, scan.size());
   state_->make_room(map.size(), wanted);
-  state_->find_pose(map, scan, guess * Pose<D>{});  // angles leave the library in (-pi, pi], the guess's too
+  const std::optional<NoiseModel> noise = state_->noise_model(map, wanted.covariance || prior.given());
+  // Angles leave the library in (-pi, pi], the guess's too.
+  state_->find_pose(map, scan, guess * Pose<D>{}, noise ? &*noise : nullptr, prior);
   state_->result.searches = state_->searches();
   state_->hand_out(map, scan, wanted);
   state_->result.searches_for_outputs = state_->searches() - state_->result.searches;
   return state_->result;
+}
+
+template <int D>
+void Icp<D>::set_rays(const Rays& rays) noexcept {
+  state_->rays = rays;
 }
 
 template <int D>

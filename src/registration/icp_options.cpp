@@ -22,6 +22,7 @@ std::string IcpOptions::problem() const {
   if (!(guess_share >= 0.0 && guess_share <= 1.0)) return "guess_share must lie between 0 (not at all) and 1";
   if (!is_length(translation_tolerance)) return "translation_tolerance must be above 0 m; 1e-4 is the default";
   if (!is_length(rotation_tolerance)) return "rotation_tolerance must be above 0 rad; 1e-4 is the default";
+  if (const std::string in_noise = noise.problem(); !in_noise.empty()) return in_noise;
   if (!is_available(instruction_set))
     return std::string("instruction_set ") + to_string(instruction_set) +
            " is not available on this machine or in this build; leave it at best";

@@ -103,11 +103,11 @@ Matrix<3, 3> best_rotation(const Matrix<3, 3>& scatter, const Matrix<3, 3>& othe
 }  // namespace
 
 template <int D>
-void NormalEquations<D>::add(const Point<D>& in_robot, const Point<D>& in_map, const Surface<D>& surface,
-                             const Matrix<D, D>& into_robot, RobustKernel kernel, double kernel_scale) noexcept {
+void NormalEquations<D>::add(const StepInput<D>& input, const Point<D>& in_robot, const Point<D>& in_map,
+                             const Surface<D>& surface, const Matrix<D, D>& into_robot) noexcept {
   if (!surface.valid()) return;
   const double residual = surface.normal.dot(surface.centroid - in_map);
-  const double weight = kernel_weight(kernel, residual, kernel_scale);
+  const double weight = kernel_weight(input.kernel, residual, input.kernel_scale);
   if (weight == 0.0) return;  // holds nothing, so it is no pair
   const Vector<D> normal = into_robot * surface.normal;
   typename Pose<D>::Tangent jacobian;
@@ -116,6 +116,8 @@ void NormalEquations<D>::add(const Point<D>& in_robot, const Point<D>& in_map, c
   gradient += weight * residual * jacobian;
   squared_ranges += in_robot.squaredNorm();
   ++pairs;
+  if constexpr (D == 2)
+    if (input.noise) add_noise(*input.noise, in_robot, normal, jacobian, residual, weight, noise);
 }
 
 template <int D>
@@ -161,10 +163,33 @@ Step<D> point_to_surface_step(const StepInput<D>& input, Correspondences<D>& cor
   const Matrix<D, D> into_robot = input.pose.rotation().transpose();
   NormalEquations<D> equations;
   for_each_pair<D>(input, correspondences, [&](const Point<D>& p, const Point<D>& in_map, std::size_t k, double) {
-    equations.add(p, in_map, input.map.surface(k), into_robot, input.kernel, input.kernel_scale);
+    equations.add(input, p, in_map, input.map.surface(k), into_robot);
   });
   return point_to_surface_step(input, equations);
 }
+
+namespace {
+
+/// The step by the pairs' noise: blind directions are not moved, or as a prior wants them.
+Step<2> noise_aware_step(const StepInput<2>& input, NormalEquations<2>& equations, Step<2> step) noexcept {
+  equations.noise.close_group();
+  const double reach = std::max(step.reach, 1e-6);
+  const Eigen::Vector3d gradient = equations.gradient;
+  const Assessment pairs = assess(equations.information, gradient, equations.noise, *input.noise, reach);
+  step.uncertainty = pairs.uncertainty;
+  step.degenerate = pairs.uncertainty.blind;
+  Pose2::Tangent motion;
+  if (input.prior.given())
+    motion = fused_motion(pairs, gradient, input.prior.information, (input.pose.inverse() * input.prior.mean).log());
+  else if (step.degenerate)
+    motion = pairs.held_inverse * gradient;
+  else
+    motion = solve<2>(equations.information, equations.gradient, reach, step.degenerate);
+  step.pose = input.pose * Pose2::exp(motion);
+  return step;
+}
+
+}  // namespace
 
 template <int D>
 Step<D> point_to_surface_step(const StepInput<D>& input, NormalEquations<D> equations) noexcept {
@@ -186,6 +211,8 @@ Step<D> point_to_surface_step(const StepInput<D>& input, NormalEquations<D> equa
     equations.information += Matrix<n, n>(weight.asDiagonal());
     equations.gradient += weight.cwiseProduct((input.pose.inverse() * input.guess).log());
   }
+  if constexpr (D == 2)
+    if (input.noise) return noise_aware_step(input, equations, step);
   const auto motion = solve<D>(equations.information, equations.gradient, std::max(step.reach, 1e-6), step.degenerate);
   step.pose = input.pose * Pose<D>::exp(motion);
   return step;

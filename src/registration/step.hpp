@@ -5,6 +5,7 @@
 #include <slamicp/registration/icp_options.hpp>
 
 #include "registration/correspondences.hpp"
+#include "registration/pair_noise.hpp"
 
 namespace slamicp {
 
@@ -19,7 +20,9 @@ struct StepInput {
   RobustKernel kernel;
   double kernel_scale;
   const Pose<D>& guess;
-  double guess_share;  // of the pairs, that hold the guess
+  double guess_share;        // of the pairs, that hold the guess
+  const NoiseModel* noise;   // null: not wanted
+  const PosePrior& prior;
 };
 
 template <int D>
@@ -28,6 +31,7 @@ struct Step {
   std::size_t pairs = 0;    // that took part
   bool degenerate = false;  // some direction was not held; nothing moved there
   double reach = 0.0;       // root mean square distance of the pairs from the robot [m]
+  Uncertainty uncertainty;  // at the pose before the step
 };
 
 /// The Gauss-Newton equations of the distances to the map's lines or planes, in the robot's frame.
@@ -38,10 +42,11 @@ struct NormalEquations {
   typename Pose<D>::Tangent gradient = Pose<D>::Tangent::Zero();
   double squared_ranges = 0.0;  // of the pairs [m^2]
   std::size_t pairs = 0;
+  NoiseSums noise;  // in the plane, where wanted
 
   /// A pair: the scan point in the robot's frame and in the map.
-  void add(const Point<D>& in_robot, const Point<D>& in_map, const Surface<D>& surface, const Matrix<D, D>& into_robot,
-           RobustKernel kernel, double kernel_scale) noexcept;
+  void add(const StepInput<D>& input, const Point<D>& in_robot, const Point<D>& in_map, const Surface<D>& surface,
+           const Matrix<D, D>& into_robot) noexcept;
 };
 
 /// Sums over weighted pairs that eq. (3)'s closed form needs: p in the robot's frame, m in the map, from an origin.

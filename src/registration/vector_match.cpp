@@ -18,6 +18,27 @@ const double* xy_of(PointView<2> points) noexcept {
   return points.empty() ? none : points.front().data();
 }
 
+Eigen::Matrix3d symmetric(const pass::Square& sums) noexcept {
+  Eigen::Matrix3d square;
+  square << sums.xx, sums.xy, sums.xt, sums.xy, sums.yy, sums.yt, sums.xt, sums.yt, sums.tt;
+  return square;
+}
+
+/// @param turn  from the map's axes into the robot's, for the unknowns
+NoiseSums in_robot(const pass::LineNoiseSums& sums, const Eigen::Matrix3d& turn) noexcept {
+  NoiseSums noise;
+  noise.by_range = turn * symmetric(sums.by_range) * turn.transpose();
+  noise.by_map = turn * symmetric(sums.by_map) * turn.transpose();
+  noise.together = turn * symmetric(sums.together) * turn.transpose();
+  noise.weights = sums.weights;
+  noise.moment = turn.topLeftCorner<2, 2>() * Point2(sums.x, sums.y);
+  noise.squared_ranges = sums.squared_ranges;
+  noise.squared_residuals = sums.squared_residuals;
+  noise.squared_cosines = sums.squared_cosines;
+  noise.sharing = sums.sharing;
+  return noise;
+}
+
 }  // namespace
 
 void VectorMatch::reserve(std::size_t points) {
@@ -110,6 +131,7 @@ pass::Limit VectorMatch::limit(double distance) const noexcept {
 pass::Request VectorMatch::request(const StepInput<2>& input) noexcept {
   searches_ += (input.scan.size() - input.stride / 2 + input.stride - 1) / input.stride;
   const pass::Window window = window_at(input.pose);
+  const Vector<2> ray = input.noise ? Vector<2>(input.pose.rotation() * input.noise->rays.origin) : Vector<2>::Zero();
   return {columns(),
           static_cast<std::uint32_t>(input.stride),
           window,
@@ -121,7 +143,11 @@ pass::Request VectorMatch::request(const StepInput<2>& input) noexcept {
           xy_of(map_->points()),
           corner().x(),
           corner().y(),
-          list_.data()};
+          list_.data(),
+          input.noise != nullptr,
+          static_cast<float>(ray.x()),
+          static_cast<float>(ray.y()),
+          input.noise ? static_cast<float>(input.noise->sharing()) : 0.0F};
 }
 
 Step<2> VectorMatch::point_to_surface_step(const StepInput<2>& input) noexcept {
@@ -138,12 +164,12 @@ Step<2> VectorMatch::point_to_surface_step(const StepInput<2>& input) noexcept {
   equations.gradient = into_robot * Eigen::Vector3d(sums.x, sums.y, sums.t);
   equations.squared_ranges = sums.squared_ranges;
   equations.pairs = sums.pairs;
+  if (input.noise) equations.noise = in_robot(sums.noise, into_robot);
   for (const std::uint32_t i : std::span(list_).first(sums.undecided)) {
     const Point2 in_map = input.pose * scan_[i];
     const Neighbour nearest = map_->nearest(in_map, input.gate);
     if (nearest.found())
-      equations.add(scan_[i], in_map, map_->surface(static_cast<std::size_t>(nearest.index)), turn, input.kernel,
-                    input.kernel_scale);
+      equations.add(input, scan_[i], in_map, map_->surface(static_cast<std::size_t>(nearest.index)), turn);
   }
   return slamicp::point_to_surface_step(input, equations);
 }

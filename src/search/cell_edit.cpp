@@ -60,6 +60,7 @@ CellIndexEdit::CellIndexEdit(const CellIndex& before, PointBuffer points)
   next_->tiles = before_.tiles;
   next_->progress = before_.progress;
   next_->spacing = before_.spacing;
+  next_->line_noise = before_.line_noise;
   next_->spacing_of = before_.spacing_of;
   next_->id = next_index_id();
 }

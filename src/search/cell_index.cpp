@@ -6,6 +6,7 @@
 
 #include "search/cell_state.hpp"
 #include "search/parallel.hpp"
+#include "search/sample_lines.hpp"
 #include "search/spacing.hpp"
 #include "search/surface_fit.hpp"
 
@@ -104,9 +105,11 @@ std::size_t CellIndex::State::nearest_k(const Point2& query, double reach, std::
 }
 
 void CellIndex::State::measure_spacing() noexcept {
-  spacing = sample_spacing<2>(points.view(), [&](const Point2& point, double reach, std::span<Neighbour> found) {
+  const auto near = [&](const Point2& point, double reach, std::span<Neighbour> found) {
     return can_be_found(point) ? nearest_k(point, reach, found) : 0;
-  });
+  };
+  spacing = sample_spacing<2>(points.view(), near);
+  line_noise = sample_line_noise(points.view(), surfaces, near);
   spacing_of = points.size();
 }
 
@@ -215,6 +218,7 @@ std::size_t CellIndex::size() const noexcept { return state_->points.size(); }
 PointView<2> CellIndex::points() const noexcept { return state_->points.view(); }
 bool CellIndex::has_surfaces() const noexcept { return state_->surfaces.neighbours > 0 && size() > 0; }
 double CellIndex::spacing() const noexcept { return state_->spacing; }
+const LineNoise& CellIndex::line_noise() const noexcept { return state_->line_noise; }
 std::uint64_t CellIndex::builds() const noexcept { return state_->progress->builds.load(std::memory_order_acquire); }
 std::uint64_t CellIndex::id() const noexcept { return state_->id; }
 const CellOptions& CellIndex::cell_options() const noexcept { return state_->cells; }

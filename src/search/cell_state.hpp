@@ -26,7 +26,8 @@ struct CellIndex::State {
   PointBuffer points;
   TileDirectory tiles;
   double spacing = 0.0;
-  std::size_t spacing_of = 0;  // how many points there were when it was sampled
+  LineNoise line_noise;
+  std::size_t spacing_of = 0;  // how many points there were when both were sampled
   std::uint64_t id = 0;
   std::shared_ptr<BuildProgress> progress;
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <slamicp/localization/fix.hpp>
+#include <slamicp/localization/prediction_noise.hpp>
 #include <slamicp/registration/icp_options.hpp>
 #include <slamicp/scan/laser_scan.hpp>
 
@@ -27,8 +28,12 @@ struct LocalizerOptions {
   /// Points are taken from where the robot was when their beam was measured, for scans with a time increment: by
   /// `sweep_motion`, else with the velocity since the last fix, and once more with what the match says it was.
   bool deskew = true;
-  /// What to compute for each fix besides the pose. Per-point matches cost a distance a point.
-  Outputs outputs = {.mean_inlier_distance = true, .outlier_indices = true, .outliers_in_map = true};
+  PointNoise noise{};           ///< of ranges and map, see IcpOptions
+  PredictionNoise prediction{};  ///< of odometry, or of constant velocity where there is none
+  /// What to compute for each fix besides the pose. Per-point matches cost a distance a point. With the covariance the
+  /// prediction takes part in the fix by its own, so that a direction the scan does not hold follows odometry.
+  Outputs outputs = {
+      .mean_inlier_distance = true, .outlier_indices = true, .outliers_in_map = true, .covariance = true};
 
   IcpOptions icp() const noexcept;
   /// The first rule broken, in words a user can act on; empty if none.

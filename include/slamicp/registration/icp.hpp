@@ -26,10 +26,15 @@ class Icp {
   /// @param scan    T, in the robot's frame; points that are not finite take no part
   /// @param guess   where the robot should be: the paper's P_(i-1)
   /// @param wanted  what to compute besides the pose
+  /// @param prior   what is known before, in the plane: from point to line it takes part by its information, as the
+  ///                pairs do by theirs
   /// @returns the result, valid until the next call. Complexity: iterations x L searches.
   /// Throws Error if the guess is not finite or the map lacks the surfaces that the method needs.
   const IcpResult<D>& align(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess,
-                            const Outputs& wanted = {});
+                            const Outputs& wanted = {}, const PosePrior& prior = {});
+
+  /// How the rays of the scans to come lie, for the covariance and a prior's weight.
+  void set_rays(const Rays& rays) noexcept;
 
   /// Makes room for scans of up to so many points, so that a later scan with more returns or more outliers than the
   /// first allocates nothing either.

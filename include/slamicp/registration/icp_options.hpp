@@ -6,6 +6,7 @@
 
 #include <slamicp/registration/instruction_set.hpp>
 #include <slamicp/registration/robust_kernel.hpp>
+#include <slamicp/registration/uncertainty.hpp>
 
 namespace slamicp {
 
@@ -21,7 +22,7 @@ struct IcpOptions {
   Method method = Method::point_to_line;
 
   /// The paper's *indist* [m]: a point closer than this to the map is an inlier; the solver never uses a pair farther
-  /// apart. Too small loses the robot when it is pushed, too large pairs obstacles with walls. Above 0.
+  /// apart, unless a prior says that the guess may be farther off. Too small loses the robot when it is pushed, too large pairs obstacles with walls. Above 0.
   double max_correspondence_distance = 0.3;
 
   /// The paper's *O_t* [m]: a point at least this far from every map point is an outlier. Default: the distance above.
@@ -55,6 +56,9 @@ struct IcpOptions {
   /// in full. False: every step looks at all points.
   bool coarse_to_fine = true;
 
+  /// How noisy ranges and map are, for the covariance.
+  PointNoise noise{};
+
   /// What matches in the plane are computed with; in space it is always `scalar`. For comparisons.
   InstructionSet instruction_set = InstructionSet::best;
 
@@ -74,8 +78,9 @@ struct Outputs {
   bool transformed_scan = false;      ///< the paper's tT, eq. (7)
   bool updated_map = false;           ///< the paper's uM: the map's points, then the outliers
   bool matches = false;               ///< per scan point: map index, distance, class
+  bool covariance = false;            ///< how well the pose is held; in the plane, point to line
 
-  static Outputs all() noexcept { return {true, true, true, true, true, true}; }
+  static Outputs all() noexcept { return {true, true, true, true, true, true, true}; }
 };
 
 }  // namespace slamicp

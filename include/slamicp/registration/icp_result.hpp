@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <slamicp/geometry/pose.hpp>
+#include <slamicp/registration/uncertainty.hpp>
 
 namespace slamicp {
 
@@ -13,7 +14,9 @@ namespace slamicp {
 enum class Stop {
   converged,       ///< what is left to move is below the tolerances
   max_iterations,  ///< it was still moving
-  degenerate,      ///< some direction is not held by any pair; the pose keeps the guess there
+  /// Some direction is not held by any pair, or, where the covariance was asked for, no better than the noise of the
+  /// map's normals pretends. The pose keeps the guess there, or what a prior says.
+  degenerate,
   too_few_points,  ///< the scan has too few usable points; the pose is the guess
   no_overlap,      ///< too few pairs within the gate; the pose is the guess
 };
@@ -56,6 +59,8 @@ struct IcpResult {
   PointCloud<D> transformed_scan;     ///< one for each scan point: the paper's tT
   PointCloud<D> updated_map;          ///< the paper's uM
   std::vector<Match> matches;         ///< one for each scan point
+  /// How well the pairs of the last step hold the pose, in the plane, point to line. A prior has no part in it.
+  Uncertainty uncertainty;
 
   std::size_t searches = 0;              ///< nearest-neighbour searches made for the pose
   std::size_t searches_for_outputs = 0;  ///< made after the pose was final: only where a neighbour may have changed

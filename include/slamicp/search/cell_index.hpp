@@ -8,6 +8,7 @@
 
 #include <slamicp/search/cell_options.hpp>
 #include <slamicp/search/cell_table.hpp>
+#include <slamicp/search/line_noise.hpp>
 #include <slamicp/search/neighbour.hpp>
 #include <slamicp/search/surface.hpp>
 
@@ -45,6 +46,8 @@ class CellIndex {
   Surface2 surface(std::size_t number) const noexcept;
   /// Median distance from a point to its nearest neighbour [m], over a sample; 0 with fewer than two points.
   double spacing() const noexcept;
+  /// How well the map knows its lines; all zero without lines.
+  const LineNoise& line_noise() const noexcept;
 
   Neighbour nearest(const Point2& query, double reach) const noexcept;
   NearestTwo nearest_two(const Point2& query, double reach) const noexcept;

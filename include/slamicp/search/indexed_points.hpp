@@ -38,6 +38,8 @@ class IndexedPoints<2> {
   Surface2 surface(std::size_t number) const noexcept { return cells_.surface(number); }
   /// Median distance from a point to its nearest neighbour [m], over a sample; 0 with fewer than two points.
   double spacing() const noexcept { return cells_.spacing(); }
+  /// How well the map knows its lines; all zero without lines.
+  const LineNoise& line_noise() const noexcept { return cells_.line_noise(); }
 
   Neighbour nearest(const Point2& query, double reach) const noexcept { return cells_.nearest(query, reach); }
   NearestTwo nearest_two(const Point2& query, double reach) const noexcept { return cells_.nearest_two(query, reach); }

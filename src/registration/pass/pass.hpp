@@ -55,6 +55,23 @@ struct Request {
   const double* map_points;   // x, y by number [m], for `points`
   double corner_x, corner_y;  // what Place is relative to [m]
   std::uint32_t* undecided;   // room for every point: gets those that are to be looked at in double
+  bool noise;                 // for `lines`: sum LineSums::noise too
+  float ray_x, ray_y;         // where the rays start, in the map's axes from the robot [m]
+  float sharing;              // how many rays meet one line, a metre away and head on [m]
+};
+
+/// A symmetric matrix of the unknowns (x, y, turn).
+struct Square {
+  double xx, xy, yy, xt, yt, tt;
+};
+
+/// What the covariance needs, sums over the pairs with j the derivative of a pair's residual: see NoiseSums.
+struct LineNoiseSums {
+  Square by_range;  // w^2 cos^2(incidence) j j^T
+  Square by_map;    // w^2 sharing j j^T
+  Square together;  // of neighbouring pairs' w residual j, Bartlett's weights
+  double weights, x, y, squared_ranges;  // w, w p, w p^2: p from the robot, in the map's axes
+  double squared_residuals, squared_cosines, sharing;  // w r^2, w cos^2, w^2 sharing
 };
 
 /// Normal equations of the distances to lines, in the map's axes: unknowns (x, y, turn about the robot).
@@ -64,6 +81,7 @@ struct LineSums {
   double squared_ranges;          // of the pairs [m^2]
   std::uint32_t pairs;
   std::uint32_t undecided;
+  LineNoiseSums noise;  // where asked for
 };
 
 /// What the closed form needs, sums over the pairs with their weights: p in the robot's frame, m in the map's axes,

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/pair_noise.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+
+namespace slamicp {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double infinite_sigma = std::numeric_limits<double>::infinity();
+
+/// What a point-to-point match would hold: directions along the walls as well as across.
+Matrix3d held_by_points(const NoiseSums& sums) noexcept {
+  Matrix3d all = Matrix3d::Zero();
+  all(0, 0) = all(1, 1) = sums.weights;
+  all(0, 2) = all(2, 0) = -sums.moment.y();
+  all(1, 2) = all(2, 1) = sums.moment.x();
+  all(2, 2) = sums.squared_ranges;
+  return all;
+}
+
+/// A normal n that is off by a small random angle d pretends to hold the direction along the wall: the expectation of
+/// n n^T has d^2 t t^T too much. What is left when that is taken away.
+Matrix3d without_pretence(const Matrix3d& information, const NoiseSums& sums, double turn_variance) noexcept {
+  return information - turn_variance * (held_by_points(sums) - information);
+}
+
+/// Below this the pairs hold nothing in a direction, in units of the information: what is left of the pretence may be
+/// three standard deviations of its sum over independent lines, and the map's noise is known to a third.
+double pretence_left(const NoiseSums& sums, double turn_variance) noexcept {
+  return turn_variance * (3.0 * std::sqrt(2.0 * sums.sharing) + 0.33 * sums.weights);
+}
+
+/// The information in the directions that are held, and how to solve with it.
+struct Held {
+  Matrix3d debiased;  // without pretence and blind directions
+  Matrix3d plain;     // without blind directions
+  Matrix3d inverse;   // of `debiased`, on the held directions
+  bool blind = false;
+};
+
+bool all_held(const Matrix3d& scaled, double least) noexcept {
+  // The determinant over the square of the trace bounds the least eigenvalue from below.
+  const double trace = scaled.trace();
+  return trace > 0.0 && 4.0 * scaled.determinant() > least * trace * trace;
+}
+
+Held held_part(const Matrix3d& information, const Matrix3d& debiased, double least, double reach) noexcept {
+  constexpr double blind_share = 1e-5;  // of the strongest, for maps without noise
+  const Vector3d scale(1.0, 1.0, 1.0 / reach);
+  const Matrix3d scaled = scale.asDiagonal() * debiased * scale.asDiagonal();
+  least = std::max(least, blind_share * scaled.trace());
+  if (all_held(scaled, least)) return {debiased, information, debiased.inverse(), false};
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(scaled);
+  Held held{Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero(), false};
+  Matrix3d keep = Matrix3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const double value = eigen.eigenvalues()[k];
+    if (!(value > least)) {
+      held.blind = true;
+      continue;
+    }
+    const Vector3d direction = eigen.eigenvectors().col(k);
+    const Vector3d unscaled = direction.cwiseQuotient(scale);
+    held.debiased += value * unscaled * unscaled.transpose();
+    held.inverse += Matrix3d(scale.asDiagonal() * (direction * direction.transpose()) * scale.asDiagonal()) / value;
+    keep += direction * direction.transpose();
+  }
+  const Matrix3d unscaled_keep = scale.asDiagonal() * keep * scale.cwiseInverse().asDiagonal();
+  held.plain = unscaled_keep.transpose() * information * unscaled_keep;
+  return held;
+}
+
+double range_variance(const NoiseSums& sums, const NoiseModel& model, double explained) noexcept {
+  if (model.noise.range > 0.0) return model.noise.range * model.noise.range;
+  const double least = model.noise.least_range * model.noise.least_range;
+  if (!(sums.squared_cosines > 0.0)) return least;
+  const double of_ranges = sums.squared_residuals - explained - sums.weights * model.offset_variance();
+  return std::max(least, of_ranges / sums.squared_cosines);
+}
+
+/// The inverse of a sum of squares, also where it is singular: there nothing else is asked for.
+Matrix3d safe_inverse(Matrix3d square, double reach) noexcept {
+  const Vector3d scale(1.0, 1.0, 1.0 / reach);
+  Matrix3d scaled = scale.asDiagonal() * square * scale.asDiagonal();
+  scaled.diagonal().array() += 1e-9 * scaled.trace() + 1e-30;
+  return scale.asDiagonal() * scaled.inverse() * scale.asDiagonal();
+}
+
+/// The Schur complements of the rotation and of the translation.
+void tell_weakest(Uncertainty& result) noexcept {
+  const auto sigma = [](double information) {
+    return information * Uncertainty::unheld_variance > 1.0 ? 1.0 / std::sqrt(information) : infinite_sigma;
+  };
+  const Matrix<3, 3>& all = result.information;
+  const double turn = std::max(all(2, 2), 1e-12);
+  const double xx = all(0, 0) - all(0, 2) * all(0, 2) / turn;
+  const double xy = all(0, 1) - all(0, 2) * all(1, 2) / turn;
+  const double yy = all(1, 1) - all(1, 2) * all(1, 2) / turn;
+  const double middle = 0.5 * (xx + yy);
+  const double half = std::hypot(0.5 * (xx - yy), xy);
+  // The axis of the larger eigenvalue is at half the angle of (xx - yy, 2 xy); the weakest is square to it.
+  const double strongest = 0.5 * std::atan2(2.0 * xy, xx - yy);
+  result.weakest = {-std::sin(strongest), std::cos(strongest)};
+  // What is left of a sum after cancellation is no information.
+  const double least = middle - half;
+  result.weakest_sigma = least > 1e-9 * middle ? sigma(least) : infinite_sigma;
+  const double held = all(0, 0) * all(1, 1) - all(0, 1) * all(0, 1);
+  const double by_shift = held > 1e-9 * all(0, 0) * all(1, 1)
+                              ? (all(0, 2) * (all(1, 1) * all(0, 2) - all(0, 1) * all(1, 2)) +
+                                 all(1, 2) * (all(0, 0) * all(1, 2) - all(0, 1) * all(0, 2))) /
+                                    held
+                              : all(0, 2) * all(0, 2) / std::max(all(0, 0), 1e-12) +
+                                    all(1, 2) * all(1, 2) / std::max(all(1, 1), 1e-12);
+  result.rotation_sigma = sigma(all(2, 2) - by_shift);
+}
+
+}  // namespace
+
+void NoiseSums::pull(const Vector3d& pull) noexcept {
+  constexpr int most = 16;
+  group_ += pull;
+  if (++in_group_ == most) close_group();
+}
+
+void NoiseSums::close_group() noexcept {
+  const Matrix3d common = group_ * last_group_.transpose();
+  together += group_ * group_.transpose() + 0.5 * (common + common.transpose());
+  last_group_ = group_;
+  group_.setZero();
+  in_group_ = 0;
+}
+
+void add_noise(const NoiseModel& model, const Point2& in_robot, const Vector<2>& normal, const Vector<3>& jacobian,
+               double residual, double weight, NoiseSums& sums) noexcept {
+  const Vector<2> ray = in_robot - model.rays.origin;
+  const double range2 = std::max(ray.squaredNorm(), 1e-6);
+  const double off_wall = std::abs(normal.dot(ray));
+  const double cosine2 = off_wall * off_wall / range2;
+  const double shared = std::max(1.0, model.sharing() * off_wall / range2);
+  const Matrix3d square = weight * weight * jacobian * jacobian.transpose();
+  sums.by_range += cosine2 * square;
+  sums.by_map += shared * square;
+  sums.pull(weight * residual * jacobian);
+  sums.weights += weight;
+  sums.moment += weight * in_robot;
+  sums.squared_ranges += weight * in_robot.squaredNorm();
+  sums.squared_residuals += weight * residual * residual;
+  sums.squared_cosines += weight * cosine2;
+  sums.sharing += weight * weight * shared;
+}
+
+Assessment assess(const Matrix3d& information, const Vector3d& gradient, const NoiseSums& sums,
+                  const NoiseModel& model, double reach) noexcept {
+  const double turn_variance = model.line.turn_variance;
+  const Held held = held_part(information, without_pretence(information, sums, turn_variance),
+                              pretence_left(sums, turn_variance), reach);
+  Assessment result;
+  result.held_inverse = held.inverse;
+  Uncertainty& told = result.uncertainty;
+  told.known = true;
+  told.blind = held.blind;
+  // What a step can still take away is no noise.
+  const double explained = gradient.dot(held.inverse * gradient);
+  const double range2 = range_variance(sums, model, explained);
+  told.range_noise = std::sqrt(range2);
+  const Matrix3d by_range = range2 * sums.by_range;
+  const Matrix3d noise = by_range + model.offset_variance() * sums.by_map;
+  const Matrix3d inverse_noise = safe_inverse(noise, reach);
+  told.misfit = std::max(1.0, (sums.together * inverse_noise).trace() / 3.0);
+
+  result.weighting = held.debiased * inverse_noise;
+  result.weighted = held.plain * inverse_noise * held.plain;
+  told.information = held.debiased * inverse_noise * held.debiased / told.misfit;
+  told.covariance = told.misfit * held.inverse * noise * held.inverse;
+  told.systematic = held.inverse * (told.misfit * noise - by_range) * held.inverse;
+  if (held.blind) {
+    const Matrix3d nothing = Matrix3d::Identity() - held.inverse * held.debiased;
+    told.unheld = Uncertainty::unheld_variance * nothing * nothing.transpose();
+    told.covariance += told.unheld;
+  }
+  tell_weakest(told);
+  return result;
+}
+
+Vector3d fused_motion(const Assessment& pairs, const Vector3d& gradient, const Matrix3d& prior_information,
+                      const Vector3d& from_prior) noexcept {
+  const Matrix3d all = pairs.weighted + prior_information;
+  const Vector3d pull = pairs.weighting * gradient + prior_information * from_prior;
+  return all.inverse() * pull;
+}
+
+}  // namespace slamicp
