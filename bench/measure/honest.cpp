@@ -39,9 +39,8 @@ Json calibration(int runs) {
       const double turn_ratio = score.rmse_turn() / score.bound_turn();
       table.add({std::string(world), text("%.0f %%", 100.0 * unmapped), text("%.2f", score.nees()),
                  text("%.1f %%", 100.0 * score.inside()), text("%zu of %d", score.failed(), runs),
-                 text("%.2f", 1e3 * score.rmse()), text("%.2f", 1e3 * score.told()),
-                 text("%.2f", 1e3 * score.bound()), text("%.2f", ratio), text("%.2f", turn_ratio),
-                 text("%.2f", 1e3 * score.plain_bound())});
+                 text("%.2f", 1e3 * score.rmse()), text("%.2f", 1e3 * score.told()), text("%.2f", 1e3 * score.bound()),
+                 text("%.2f", ratio), text("%.2f", turn_ratio), text("%.2f", 1e3 * score.plain_bound())});
       results.push_back({{"world", world},
                          {"unmapped", unmapped},
                          {"nees_over_3", score.nees()},
@@ -59,10 +58,10 @@ Json calibration(int runs) {
 /// What a drive through a corridor with two ends and nothing between them came to.
 struct CorridorDrive {
   std::size_t blind_scans = 0, flagged = 0, carried = 0, seeing_scans = 0, flagged_seeing = 0;
-  double across = 0.0;               // largest error [m]
+  double across = 0.0;                // largest error [m]
   double along_over_odometry = -1.0;  // largest |along| - 1.05 |odometry's| in blind scans [m]
-  double odometry_along = 0.0;       // largest [m]
-  double after_one_second = 0.0;     // along, from 1 s after an end came into range on [m]
+  double odometry_along = 0.0;        // largest [m]
+  double after_one_second = 0.0;      // along, from 1 s after an end came into range on [m]
   double nees = 0.0;
   std::size_t scans = 0;
 };

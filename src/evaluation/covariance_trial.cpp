@@ -36,8 +36,8 @@ struct RangesAround {
 
 }  // namespace
 
-Matrix<3, 3> least_covariance(const World& known, const World& world, const Pose2& T_map_robot,
-                              const LidarModel& lidar, double range_noise, double map_noise) {
+Matrix<3, 3> least_covariance(const World& known, const World& world, const Pose2& T_map_robot, const LidarModel& lidar,
+                              double range_noise, double map_noise) {
   const RangesAround around(world, T_map_robot, lidar);
   std::vector<double> of_known;
   true_ranges(known, T_map_robot * lidar.T_robot_laser, lidar, of_known);
@@ -57,9 +57,7 @@ Matrix<3, 3> least_covariance(const World& known, const World& world, const Pose
   return information.inverse();
 }
 
-double CovarianceTrial::nees() const noexcept {
-  return error.dot(Eigen::Matrix3d(told.covariance).inverse() * error);
-}
+double CovarianceTrial::nees() const noexcept { return error.dot(Eigen::Matrix3d(told.covariance).inverse() * error); }
 
 CovarianceTrials::CovarianceTrials(std::string_view world_name, std::uint64_t seed)
     : world_(trial_world(world_name)), lidar_(lidar_of_trials()), random_(seed) {
@@ -88,7 +86,7 @@ CovarianceTrial CovarianceTrials::draw(double unmapped) {
 }
 
 void CovarianceScore::add(const CovarianceTrial& trial) noexcept {
-  constexpr double off = 0.1;              // [m]: another place, or none
+  constexpr double off = 0.1;             // [m]: another place, or none
   constexpr double within_95 = 7.814728;  // chi-squared with three degrees of freedom
   if (!trial.usable || trial.error.head<2>().norm() > off) {
     ++failed_;

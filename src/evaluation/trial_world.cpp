@@ -63,8 +63,9 @@ World warehouse() {
       if (random.uniform() < 0.8)
         add_sides(world, {corner + Point2(1.4, random.uniform(-0.1, 0.1)), random.uniform(1.5, 2.3), depth, 0.0});
     }
-  world.routes.push_back({"reference", {{2.5, 2.0}, {2.5, 6.5}, {20.0, 6.6}, {38.0, 6.4}, {41.5, 9.0}, {38.0, 11.5},
-                                        {20.0, 11.4}, {6.0, 11.5}}});
+  world.routes.push_back(
+      {"reference",
+       {{2.5, 2.0}, {2.5, 6.5}, {20.0, 6.6}, {38.0, 6.4}, {41.5, 9.0}, {38.0, 11.5}, {20.0, 11.4}, {6.0, 11.5}}});
   return world;
 }
 

@@ -64,7 +64,7 @@ struct Localizer::State {
   Icp<2> icp;
   Prediction prediction;
   PoseBelief belief;
-  PosePrior prior;  // the prediction, where it takes part
+  PosePrior prior;         // the prediction, where it takes part
   PointMap2::Pointer map;  // null until the first scan in scan-to-scan mode
   bool scan_to_scan = false;
   std::vector<ScanProjector> projectors;  // one for each of the scans that are joined

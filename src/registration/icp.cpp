@@ -29,6 +29,7 @@ class Gate {
 
   double value() const noexcept { return gate_; }
   bool is_final() const noexcept { return gate_ <= final_; }
+  double last() const noexcept { return final_; }
 
   /// @param left  how far the scan's points may still have to move [m]
   void shrink(double left) noexcept {
@@ -51,6 +52,13 @@ double three_sigma(const PosePrior& prior) noexcept {
   const Eigen::Matrix3d covariance = Eigen::Matrix3d(prior.information).inverse();
   const double most = covariance.topLeftCorner<2, 2>().trace();
   return std::isfinite(most) ? 3.0 * std::sqrt(std::max(most, 0.0)) : 0.0;
+}
+
+/// How the prior moves a pose that its pairs have found.
+Pose2::Tangent motion_by_prior(const Uncertainty& match, const PosePrior& prior, const Pose2& pose) noexcept {
+  const Eigen::Matrix3d by_prior = prior.information;
+  const Eigen::Matrix3d all = match.misfit * match.information + by_prior;
+  return all.inverse() * (by_prior * (pose.inverse() * prior.mean).log());
 }
 
 /// Watches the steps: how much motion is left, and whether it is little enough to stop.
@@ -159,7 +167,9 @@ struct Icp<D>::State {
   void forget() noexcept;
   void make_room(std::size_t map_points, const Outputs& wanted);
   void find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess, const NoiseModel* noise,
-                 const PosePrior& prior);
+                 double unsure);
+  void fuse(const IndexedPoints<D>& map, PointView<D> scan, const NoiseModel& noise, const PosePrior& prior,
+            const Pose<D>& guess);
   void hand_out(const IndexedPoints<D>& map, PointView<D> scan, const Outputs& wanted);
   void match_all(PointView<D> scan, const Outputs& wanted, bool want_outliers);
   void find_outliers(PointView<D> scan);
@@ -222,18 +232,22 @@ std::size_t Icp<D>::State::searches() const noexcept {
 
 template <int D>
 void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess,
-                              const NoiseModel* noise, const PosePrior& prior) {
+                              const NoiseModel* noise, double unsure) {
   result.pose = guess;
   if (begin(map, scan) < fewest_points<D>) {
     result.stop = Stop::too_few_points;
     return;
   }
-  Gate gate(options, map.spacing(), three_sigma(prior));
+  Gate gate(options, map.spacing(), unsure);
   Convergence<D> convergence(options, guess);
   Stride stride(D == 2 && options.coarse_to_fine ? scan.size() : 0);
+  constexpr double nearly_there = 1e-3;  // [m]: one of the last steps
+  double shift = 1.0;
   while (true) {
-    const Step<D> step = this->step({map, scan, stride.value(), result.pose, gate.value(), options.kernel,
-                                     options.kernel_scale, guess, options.guess_share, noise, prior});
+    const bool is_last = shift < nearly_there && gate.is_final() && stride.is_final();
+    const Step<D> step =
+        this->step({map, scan, stride.value(), result.pose, gate.value(), options.kernel, options.kernel_scale, guess,
+                    options.guess_share, is_last ? noise : nullptr, nullptr});
     result.pairs = step.pairs;
     result.uncertainty = step.uncertainty;
     ++result.iterations;
@@ -257,9 +271,47 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
     // Point to point creeps along walls, in steps that say little of what is left: its gate waits until it stands
     // still.
     if (options.method == Method::point_to_point && !convergence.reached()) continue;
-    const double shift = moved.translation + step.reach * moved.rotation;
+    shift = moved.translation + step.reach * moved.rotation;
     gate.shrink(shift * std::max(1.0, convergence.left_of_last_step()));
     stride.refine(shift);
+  }
+}
+
+/// Takes in what was known before. Where the pairs hold the pose they have found it, and the prior moves it in one
+/// step; in a direction that they do not hold, where they have followed the noise, it is found anew.
+template <int D>
+void Icp<D>::State::fuse(const IndexedPoints<D>& map, PointView<D> scan, const NoiseModel& noise,
+                         const PosePrior& prior, const Pose<D>& guess) {
+  if constexpr (D == 2) {
+    if (result.stop == Stop::no_overlap || result.stop == Stop::too_few_points) return;
+    constexpr int most_steps = 10;
+    const double gate = Gate(options, map.spacing(), 0.0).last();
+    // Without a prior the guess is one, too weak to be seen but where there is nothing else.
+    const PosePrior known = prior.given() ? prior : PosePrior{guess, Matrix<3, 3>::Identity()};
+    const auto step_from = [&](const Pose2& pose, const PosePrior* with) {
+      return step(
+          {map, scan, 1, pose, gate, options.kernel, options.kernel_scale, guess, options.guess_share, &noise, with});
+    };
+    if (!result.uncertainty.known) result.uncertainty = step_from(result.pose, nullptr).uncertainty;
+    if (!result.uncertainty.known) return;
+    if (!result.uncertainty.blind) {
+      if (prior.given())
+        result.pose = result.pose * Pose2::exp(motion_by_prior(result.uncertainty, prior, result.pose));
+      return;
+    }
+    result.stop = Stop::degenerate;
+    Convergence<2> convergence(options, result.pose);
+    for (int k = 0; k < most_steps; ++k) {
+      const Step<2> next = step_from(result.pose, &known);
+      if (next.pairs < fewest_points<2> || !next.pose.is_finite()) return;
+      result.pose = next.pose;
+      result.pairs = next.pairs;
+      result.uncertainty = next.uncertainty;
+      ++result.iterations;
+      convergence.step_to(result.pose);
+      if (convergence.reached()) break;
+    }
+    result.stop = result.uncertainty.blind ? Stop::degenerate : Stop::converged;
   }
 }
 
@@ -364,7 +416,9 @@ const IcpResult<D>& Icp<D>::align(const IndexedPoints<D>& map, PointView<D> scan
   state_->make_room(map.size(), wanted);
   const std::optional<NoiseModel> noise = state_->noise_model(map, wanted.covariance || prior.given());
   // Angles leave the library in (-pi, pi], the guess's too.
-  state_->find_pose(map, scan, guess * Pose<D>{}, noise ? &*noise : nullptr, prior);
+  const Pose<D> start = guess * Pose<D>{};
+  state_->find_pose(map, scan, start, noise ? &*noise : nullptr, three_sigma(prior));
+  if (noise) state_->fuse(map, scan, *noise, prior, start);
   state_->result.searches = state_->searches();
   state_->hand_out(map, scan, wanted);
   state_->result.searches_for_outputs = state_->searches() - state_->result.searches;

@@ -111,12 +111,12 @@ void tell_weakest(Uncertainty& result) noexcept {
   const double least = middle - half;
   result.weakest_sigma = least > 1e-9 * middle ? sigma(least) : infinite_sigma;
   const double held = all(0, 0) * all(1, 1) - all(0, 1) * all(0, 1);
-  const double by_shift = held > 1e-9 * all(0, 0) * all(1, 1)
-                              ? (all(0, 2) * (all(1, 1) * all(0, 2) - all(0, 1) * all(1, 2)) +
-                                 all(1, 2) * (all(0, 0) * all(1, 2) - all(0, 1) * all(0, 2))) /
-                                    held
-                              : all(0, 2) * all(0, 2) / std::max(all(0, 0), 1e-12) +
-                                    all(1, 2) * all(1, 2) / std::max(all(1, 1), 1e-12);
+  const double by_shift =
+      held > 1e-9 * all(0, 0) * all(1, 1)
+          ? (all(0, 2) * (all(1, 1) * all(0, 2) - all(0, 1) * all(1, 2)) +
+             all(1, 2) * (all(0, 0) * all(1, 2) - all(0, 1) * all(0, 2))) /
+                held
+          : all(0, 2) * all(0, 2) / std::max(all(0, 0), 1e-12) + all(1, 2) * all(1, 2) / std::max(all(1, 1), 1e-12);
   result.rotation_sigma = sigma(all(2, 2) - by_shift);
 }
 
@@ -155,13 +155,12 @@ void add_noise(const NoiseModel& model, const Point2& in_robot, const Vector<2>&
   sums.sharing += weight * weight * shared;
 }
 
-Assessment assess(const Matrix3d& information, const Vector3d& gradient, const NoiseSums& sums,
-                  const NoiseModel& model, double reach) noexcept {
+Assessment assess(const Matrix3d& information, const Vector3d& gradient, const NoiseSums& sums, const NoiseModel& model,
+                  double reach) noexcept {
   const double turn_variance = model.line.turn_variance;
   const Held held = held_part(information, without_pretence(information, sums, turn_variance),
                               pretence_left(sums, turn_variance), reach);
   Assessment result;
-  result.held_inverse = held.inverse;
   Uncertainty& told = result.uncertainty;
   told.known = true;
   told.blind = held.blind;

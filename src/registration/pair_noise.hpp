@@ -54,8 +54,6 @@ struct Assessment {
   Eigen::Matrix3d weighting = Eigen::Matrix3d::Zero();
   /// The normal matrix of the weighted equations, blind directions left out.
   Eigen::Matrix3d weighted = Eigen::Matrix3d::Zero();
-  /// Solves the plain equations where they are held.
-  Eigen::Matrix3d held_inverse = Eigen::Matrix3d::Zero();
 };
 
 /// @param information  of the pairs, sum w j j^T

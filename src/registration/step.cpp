@@ -170,23 +170,18 @@ Step<D> point_to_surface_step(const StepInput<D>& input, Correspondences<D>& cor
 
 namespace {
 
-/// The step by the pairs' noise: blind directions are not moved, or as a prior wants them.
-Step<2> noise_aware_step(const StepInput<2>& input, NormalEquations<2>& equations, Step<2> step) noexcept {
+/// How well the pairs hold the pose; the motion too where a prior takes part. Returns whether it does.
+bool judge(const StepInput<2>& input, NormalEquations<2>& equations, Step<2>& step) noexcept {
   equations.noise.close_group();
-  const double reach = std::max(step.reach, 1e-6);
   const Eigen::Vector3d gradient = equations.gradient;
-  const Assessment pairs = assess(equations.information, gradient, equations.noise, *input.noise, reach);
+  const Assessment pairs =
+      assess(equations.information, gradient, equations.noise, *input.noise, std::max(step.reach, 1e-6));
   step.uncertainty = pairs.uncertainty;
+  if (input.prior == nullptr) return false;
   step.degenerate = pairs.uncertainty.blind;
-  Pose2::Tangent motion;
-  if (input.prior.given())
-    motion = fused_motion(pairs, gradient, input.prior.information, (input.pose.inverse() * input.prior.mean).log());
-  else if (step.degenerate)
-    motion = pairs.held_inverse * gradient;
-  else
-    motion = solve<2>(equations.information, equations.gradient, reach, step.degenerate);
-  step.pose = input.pose * Pose2::exp(motion);
-  return step;
+  const Pose2::Tangent from_prior = (input.pose.inverse() * input.prior->mean).log();
+  step.pose = input.pose * Pose2::exp(fused_motion(pairs, gradient, input.prior->information, from_prior));
+  return true;
 }
 
 }  // namespace
@@ -212,7 +207,7 @@ Step<D> point_to_surface_step(const StepInput<D>& input, NormalEquations<D> equa
     equations.gradient += weight.cwiseProduct((input.pose.inverse() * input.guess).log());
   }
   if constexpr (D == 2)
-    if (input.noise) return noise_aware_step(input, equations, step);
+    if (input.noise && judge(input, equations, step)) return step;
   const auto motion = solve<D>(equations.information, equations.gradient, std::max(step.reach, 1e-6), step.degenerate);
   step.pose = input.pose * Pose<D>::exp(motion);
   return step;

@@ -20,9 +20,9 @@ struct StepInput {
   RobustKernel kernel;
   double kernel_scale;
   const Pose<D>& guess;
-  double guess_share;        // of the pairs, that hold the guess
-  const NoiseModel* noise;   // null: not wanted
-  const PosePrior& prior;
+  double guess_share;       // of the pairs, that hold the guess
+  const NoiseModel* noise;  // null: how well the pairs hold the pose is not wanted
+  const PosePrior* prior;   // with noise: fused with the pairs, each by its noise; null: the pairs alone
 };
 
 template <int D>

@@ -17,18 +17,19 @@ namespace slamicp {
 /// ray's distance to its wall by the pose as seen from the robot, beta its angle of incidence (Censi 2007, "On
 /// achievable accuracy for range-finder localization", with the map's noise added).
 /// @param known  the world that the map knows; `world` has what else stands there
-Matrix<3, 3> least_covariance(const World& known, const World& world, const Pose2& T_map_robot,
-                              const LidarModel& lidar, double range_noise, double map_noise);
+Matrix<3, 3> least_covariance(const World& known, const World& world, const Pose2& T_map_robot, const LidarModel& lidar,
+                              double range_noise, double map_noise);
 
 /// A single match in a world with truth.
 struct CovarianceTrial {
-  Pose2::Tangent error;   ///< as seen from the robot: T_map_robot = truth * exp(error)
-  Uncertainty told;       ///< by the match
-  Matrix<3, 3> least;     ///< least_covariance() with the map's noise as lines smooth it: sigma / sqrt(points of a line)
-  Matrix<3, 3> plain;     ///< the same with a perfect map: Censi's bound
+  Pose2::Tangent error;  ///< as seen from the robot: T_map_robot = truth * exp(error)
+  Uncertainty told;      ///< by the match
+  Matrix<3, 3> least;    ///< least_covariance() with the map's noise as lines smooth it: sigma / sqrt(points of a line)
+  Matrix<3, 3> plain;    ///< the same with a perfect map: Censi's bound
   bool usable = false;
 
-  /// Normalized estimation error squared: 3 on average where the covariance is right (Bar-Shalom, Li, Kirubarajan 2001).
+  /// Normalized estimation error squared: 3 on average where the covariance is right (Bar-Shalom, Li, Kirubarajan
+  /// 2001).
   double nees() const noexcept;
 };
 
@@ -56,14 +57,14 @@ class CovarianceScore {
   void add(const CovarianceTrial& trial) noexcept;
 
   std::size_t count() const noexcept { return count_; }
-  std::size_t failed() const noexcept { return failed_; }  ///< not usable, or off by more than 0.1 m
-  double nees() const noexcept { return nees_ / (3.0 * n()); }         ///< mean, over 3: 1 where covariances are right
+  std::size_t failed() const noexcept { return failed_; }       ///< not usable, or off by more than 0.1 m
+  double nees() const noexcept { return nees_ / (3.0 * n()); }  ///< mean, over 3: 1 where covariances are right
   double inside() const noexcept { return static_cast<double>(inside_) / n(); }  ///< share in the 95 % ellipse
-  double rmse() const noexcept;       ///< of the position [m]
-  double rmse_turn() const noexcept;  ///< [rad]
-  double told() const noexcept;       ///< root mean variance of the position as told [m]
-  double bound() const noexcept;      ///< the same of least_covariance() [m]
-  double bound_turn() const noexcept;  ///< [rad]
+  double rmse() const noexcept;                                                  ///< of the position [m]
+  double rmse_turn() const noexcept;                                             ///< [rad]
+  double told() const noexcept;         ///< root mean variance of the position as told [m]
+  double bound() const noexcept;        ///< the same of least_covariance() [m]
+  double bound_turn() const noexcept;   ///< [rad]
   double plain_bound() const noexcept;  ///< with a perfect map [m]
 
  private:

@@ -28,7 +28,7 @@ struct LocalizerOptions {
   /// Points are taken from where the robot was when their beam was measured, for scans with a time increment: by
   /// `sweep_motion`, else with the velocity since the last fix, and once more with what the match says it was.
   bool deskew = true;
-  PointNoise noise{};           ///< of ranges and map, see IcpOptions
+  PointNoise noise{};            ///< of ranges and map, see IcpOptions
   PredictionNoise prediction{};  ///< of odometry, or of constant velocity where there is none
   /// What to compute for each fix besides the pose. Per-point matches cost a distance a point. With the covariance the
   /// prediction takes part in the fix by its own, so that a direction the scan does not hold follows odometry.

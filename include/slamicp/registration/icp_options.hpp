@@ -22,7 +22,8 @@ struct IcpOptions {
   Method method = Method::point_to_line;
 
   /// The paper's *indist* [m]: a point closer than this to the map is an inlier; the solver never uses a pair farther
-  /// apart, unless a prior says that the guess may be farther off. Too small loses the robot when it is pushed, too large pairs obstacles with walls. Above 0.
+  /// apart, unless a prior says that the guess may be farther off. Too small loses the robot when it is pushed, too
+  /// large pairs obstacles with walls. Above 0.
   double max_correspondence_distance = 0.3;
 
   /// The paper's *O_t* [m]: a point at least this far from every map point is an outlier. Default: the distance above.

@@ -21,7 +21,7 @@ struct PointNoise {
 
 /// How the rays of a scan lie, which says how steeply they meet a wall and how many of them share a piece of it.
 struct Rays {
-  Point2 origin = Point2::Zero();                   ///< where they start, in the robot's frame [m]
+  Point2 origin = Point2::Zero();                    ///< where they start, in the robot's frame [m]
   double spacing = 2.0 * std::numbers::pi / 1440.0;  ///< from one to the next [rad], > 0
 };
 
@@ -46,7 +46,7 @@ struct Uncertainty {
   bool blind = false;
   /// The direction in which the pairs hold the position least, whatever the rotation: unit vector in the robot's frame.
   Vector<2> weakest = Vector<2>::UnitX();
-  double weakest_sigma = 0.0;  ///< standard deviation in that direction [m]; infinite where blind
+  double weakest_sigma = 0.0;   ///< standard deviation in that direction [m]; infinite where blind
   double rotation_sigma = 0.0;  ///< of the heading [rad]; infinite where the pairs do not hold it
 
   /// The part of the covariance in directions that the pairs do not hold.

@@ -67,10 +67,10 @@ struct Square {
 
 /// What the covariance needs, sums over the pairs with j the derivative of a pair's residual: see NoiseSums.
 struct LineNoiseSums {
-  Square by_range;  // w^2 cos^2(incidence) j j^T
-  Square by_map;    // w^2 sharing j j^T
-  Square together;  // of neighbouring pairs' w residual j, Bartlett's weights
-  double weights, x, y, squared_ranges;  // w, w p, w p^2: p from the robot, in the map's axes
+  Square by_range;                                     // w^2 cos^2(incidence) j j^T
+  Square by_map;                                       // w^2 sharing j j^T
+  Square together;                                     // of neighbouring pairs' w residual j, Bartlett's weights
+  double weights, x, y, squared_ranges;                // w, w p, w p^2: p from the robot, in the map's axes
   double squared_residuals, squared_cosines, sharing;  // w r^2, w cos^2, w^2 sharing
 };
 

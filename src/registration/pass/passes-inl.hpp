@@ -473,7 +473,9 @@ class Pulls {
 class NoiseLanes {
  public:
   HWY_INLINE explicit NoiseLanes(const Request& request)
-      : ray_x_(hn::Set(D(), request.ray_x)), ray_y_(hn::Set(D(), request.ray_y)), sharing_(hn::Set(D(), request.sharing)) {}
+      : ray_x_(hn::Set(D(), request.ray_x)),
+        ray_y_(hn::Set(D(), request.ray_y)),
+        sharing_(hn::Set(D(), request.sharing)) {}
 
   HWY_INLINE void add(const Pairs& pairs) {
     const D d;
@@ -503,8 +505,8 @@ class NoiseLanes {
     shared_ = hn::Add(shared_, hn::IfThenElseZero(pairs.used, hn::Mul(weight2, shared)));
   }
   HWY_INLINE LineNoiseSums total() {
-    return {by_range_.total(), by_map_.total(), pulls_.total(), sum(weights_), sum(x_), sum(y_),
-            sum(ranges_),      sum(residuals_), sum(cosines_),  sum(shared_)};
+    return {by_range_.total(), by_map_.total(), pulls_.total(),  sum(weights_), sum(x_),
+            sum(y_),           sum(ranges_),    sum(residuals_), sum(cosines_), sum(shared_)};
   }
 
  private:
