@@ -257,6 +257,10 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
       result.uncertainty = {};
       return;
     }
+    if (step.uncertainty.blind) {
+      result.stop = Stop::degenerate;  // more steps would follow the noise: see fuse()
+      return;
+    }
     const PoseDistance moved = distance(result.pose, step.pose);
     result.pose = step.pose;
     convergence.step_to(result.pose);

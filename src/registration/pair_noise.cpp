@@ -42,6 +42,7 @@ struct Held {
   Matrix3d plain;     // without blind directions
   Matrix3d inverse;   // of `debiased`, on the held directions
   bool blind = false;
+  Vector3d direction = Vector3d::Zero();  // the blind one, if there is one, in units of the reach
 };
 
 bool all_held(const Matrix3d& scaled, double least) noexcept {
@@ -55,17 +56,18 @@ Held held_part(const Matrix3d& information, const Matrix3d& debiased, double lea
   const Vector3d scale(1.0, 1.0, 1.0 / reach);
   const Matrix3d scaled = scale.asDiagonal() * debiased * scale.asDiagonal();
   least = std::max(least, blind_share * scaled.trace());
-  if (all_held(scaled, least)) return {debiased, information, debiased.inverse(), false};
+  if (all_held(scaled, least)) return {debiased, information, debiased.inverse()};
   const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(scaled);
-  Held held{Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero(), false};
+  Held held{Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()};
   Matrix3d keep = Matrix3d::Zero();
   for (int k = 0; k < 3; ++k) {
     const double value = eigen.eigenvalues()[k];
+    const Vector3d direction = eigen.eigenvectors().col(k);
     if (!(value > least)) {
+      held.direction = held.blind ? Vector3d::Zero() : direction;
       held.blind = true;
       continue;
     }
-    const Vector3d direction = eigen.eigenvectors().col(k);
     const Vector3d unscaled = direction.cwiseQuotient(scale);
     held.debiased += value * unscaled * unscaled.transpose();
     held.inverse += Matrix3d(scale.asDiagonal() * (direction * direction.transpose()) * scale.asDiagonal()) / value;
@@ -164,6 +166,7 @@ Assessment assess(const Matrix3d& information, const Vector3d& gradient, const N
   Uncertainty& told = result.uncertainty;
   told.known = true;
   told.blind = held.blind;
+  result.blind = held.direction;
   // What a step can still take away is no noise.
   const double explained = gradient.dot(held.inverse * gradient);
   const double range2 = range_variance(sums, model, explained);
@@ -185,6 +188,30 @@ Assessment assess(const Matrix3d& information, const Vector3d& gradient, const N
   }
   tell_weakest(told);
   return result;
+}
+
+void align_blind_direction(const Matrix3d& prior_information, double reach, Assessment& pairs) noexcept {
+  if (!(pairs.blind.squaredNorm() > 0.5)) return;
+  const Vector3d scale(1.0, 1.0, 1.0 / reach);
+  const Matrix3d prior =
+      scale.cwiseInverse().asDiagonal() * prior_information.inverse() * scale.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(prior);
+  constexpr double by_far = 25.0;  // in variance
+  constexpr double alike = 0.99;   // cosine
+  const Vector3d direction = eigen.eigenvectors().col(2);
+  if (!(eigen.eigenvalues()[2] > by_far * eigen.eigenvalues()[1])) return;
+  if (!(std::abs(direction.dot(pairs.blind)) > alike)) return;
+  const Matrix3d along = direction * direction.transpose();
+  const Matrix3d keep = scale.asDiagonal() * (Matrix3d::Identity() - along) * scale.cwiseInverse().asDiagonal();
+  Uncertainty& told = pairs.uncertainty;
+  pairs.weighting = keep.transpose() * pairs.weighting;
+  pairs.weighted = keep.transpose() * pairs.weighted * keep;
+  const Matrix3d held = told.covariance - told.unheld;
+  told.information = keep.transpose() * told.information * keep;
+  told.systematic = keep * told.systematic * keep.transpose();
+  told.unheld = Uncertainty::unheld_variance * scale.asDiagonal() * along * scale.asDiagonal();
+  told.covariance = keep * held * keep.transpose() + Matrix3d(told.unheld);
+  tell_weakest(told);
 }
 
 Vector3d fused_motion(const Assessment& pairs, const Vector3d& gradient, const Matrix3d& prior_information,

@@ -54,7 +54,15 @@ struct Assessment {
   Eigen::Matrix3d weighting = Eigen::Matrix3d::Zero();
   /// The normal matrix of the weighted equations, blind directions left out.
   Eigen::Matrix3d weighted = Eigen::Matrix3d::Zero();
+  /// Where exactly one direction is blind, that direction, a turn counted by what it moves at the reach: unit vector.
+  Eigen::Vector3d blind = Eigen::Vector3d::Zero();
 };
+
+/// Lets the pairs be blind in the direction in which the prior is by far the least sure, where that is the same to
+/// within what their noise can tell. The walls' direction as the pairs know it varies a little from scan to scan; taken
+/// for many directions, they would seem to hold together what none of them holds (the inconsistency of filters with
+/// varying unobservable directions: Huang, Mourikis, Roumeliotis 2010, "Observability-based rules").
+void align_blind_direction(const Eigen::Matrix3d& prior_information, double reach, Assessment& pairs) noexcept;
 
 /// @param information  of the pairs, sum w j j^T
 /// @param gradient     sum w r j

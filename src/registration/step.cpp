@@ -174,8 +174,9 @@ namespace {
 bool judge(const StepInput<2>& input, NormalEquations<2>& equations, Step<2>& step) noexcept {
   equations.noise.close_group();
   const Eigen::Vector3d gradient = equations.gradient;
-  const Assessment pairs =
-      assess(equations.information, gradient, equations.noise, *input.noise, std::max(step.reach, 1e-6));
+  const double reach = std::max(step.reach, 1e-6);
+  Assessment pairs = assess(equations.information, gradient, equations.noise, *input.noise, reach);
+  if (input.prior != nullptr) align_blind_direction(input.prior->information, reach, pairs);
   step.uncertainty = pairs.uncertainty;
   if (input.prior == nullptr) return false;
   step.degenerate = pairs.uncertainty.blind;
