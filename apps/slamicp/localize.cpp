@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // slamicp localize: every scan of a log in a given map.
+#include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 
 #include <slamicp/error.hpp>
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/io/csv_table.hpp>
 #include <slamicp/io/map_file.hpp>
 #include <slamicp/io/trajectory_file.hpp>
@@ -42,6 +45,14 @@ LocalizerOptions localizer_options(const LocalizeWords& words) {
   return options;
 }
 
+/// The direction in the map that the scan does not hold, in [0, 180); NaN where it holds all.
+double blind_deg(const Fix& fix) {
+  const Vector<2>& blind = fix.blind_direction;
+  if (blind.isZero()) return std::numeric_limits<double>::quiet_NaN();
+  const double degrees = deg_per_rad * std::atan2(blind.y(), blind.x());
+  return std::fmod(degrees + 360.0, 180.0);
+}
+
 /// The files that get lines while the log is read; one that was not asked for is null.
 class Tables {
  public:
@@ -53,10 +64,12 @@ class Tables {
   void add(std::size_t scan_number, const Fix& fix, const LaserScan& scan, double time_us) {
     if (outliers_) add_outliers(scan_number, fix);
     if (obstacles_) add_obstacles(scan_number, fix, scan);
-    if (metrics_)
-      metrics_->add({scan_number, fix.stamp, fix.pose.x, fix.pose.y, fix.pose.theta, to_string(fix.stop()),
-                     fix.match.iterations, fix.scan.in_robot.size(), fix.match.inliers, fix.outliers().size(),
-                     fix.match.mean_inlier_distance, time_us});
+    if (!metrics_) return;
+    const Matrix<3, 3> covariance = fix.covariance_in_map();
+    metrics_->add({scan_number, fix.stamp, fix.pose.x, fix.pose.y, fix.pose.theta, to_string(fix.stop()),
+                   fix.match.iterations, fix.scan.in_robot.size(), fix.match.inliers, fix.outliers().size(),
+                   fix.match.mean_inlier_distance, time_us, covariance(0, 0), covariance(1, 1), covariance(2, 2),
+                   blind_deg(fix)});
   }
 
   void commit() {

@@ -147,6 +147,12 @@ void Localizer::State::judge(const LaserScan& first) noexcept {
   }
   belief.fuse(match, prior, fix.pose.theta);
   fix.covariance = belief.covariance();
+  if (!match.blind) return;
+  // Along a direction that is a little off, the way is a shift to the side too.
+  const double along2 = match.weakest.dot(fix.covariance.topLeftCorner<2, 2>() * match.weakest);
+  const Vector<2> aside(-match.weakest.y(), match.weakest.x());
+  fix.covariance.topLeftCorner<2, 2>() += match.tilt_sigma * match.tilt_sigma * along2 * aside * aside.transpose();
+  fix.covariance(2, 2) += match.twist_sigma * match.twist_sigma * along2;
 }
 
 /// Where the position may be far off in some direction, what has no match here may have one further along. If so, the

@@ -65,7 +65,7 @@ PosePrior PoseBelief::prior(const Pose2& mean) const noexcept {
 
 void PoseBelief::fuse(const Uncertainty& match, const PosePrior& prior, double heading) noexcept {
   if (!match.known) return;
-  const Matrix3d information = match.misfit * match.information;  // what the match took part with
+  const Matrix3d information = match.information;
   const Matrix3d all = information + prior.information;
   const Matrix3d gain = all.inverse() * information;
   const Matrix3d rest = Matrix3d::Identity() - gain;

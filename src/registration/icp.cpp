@@ -57,7 +57,7 @@ double three_sigma(const PosePrior& prior) noexcept {
 /// How the prior moves a pose that its pairs have found.
 Pose2::Tangent motion_by_prior(const Uncertainty& match, const PosePrior& prior, const Pose2& pose) noexcept {
   const Eigen::Matrix3d by_prior = prior.information;
-  const Eigen::Matrix3d all = match.misfit * match.information + by_prior;
+  const Eigen::Matrix3d all = Eigen::Matrix3d(match.information) + by_prior;
   return all.inverse() * (by_prior * (pose.inverse() * prior.mean).log());
 }
 
@@ -241,7 +241,7 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
   Gate gate(options, map.spacing(), unsure);
   Convergence<D> convergence(options, guess);
   Stride stride(D == 2 && options.coarse_to_fine ? scan.size() : 0);
-  constexpr double nearly_there = 1e-3;  // [m]: one of the last steps
+  constexpr double nearly_there = 3e-3;  // [m]: after such a step the next one is mostly the last
   double shift = 1.0;
   while (true) {
     const bool is_last = shift < nearly_there && gate.is_final() && stride.is_final();
@@ -422,8 +422,8 @@ const IcpResult<D>& Icp<D>::align(const IndexedPoints<D>& map, PointView<D> scan
   // Angles leave the library in (-pi, pi], the guess's too.
   const Pose<D> start = guess * Pose<D>{};
   state_->find_pose(map, scan, start, noise ? &*noise : nullptr, three_sigma(prior));
-  if (noise) state_->fuse(map, scan, *noise, prior, start);
   state_->result.searches = state_->searches();
+  if (noise) state_->fuse(map, scan, *noise, prior, start);
   state_->hand_out(map, scan, wanted);
   state_->result.searches_for_outputs = state_->searches() - state_->result.searches;
   return state_->result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/pair_noise.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
@@ -94,6 +95,25 @@ Matrix3d safe_inverse(Matrix3d square, double reach) noexcept {
   return scale.asDiagonal() * scaled.inverse() * scale.asDiagonal();
 }
 
+/// What noise explains of the pairs' pulls, and what it does not: in a direction in which neighbouring pairs pull
+/// together more than they should, as much as they do.
+Matrix3d with_misfit(const Matrix3d& noise, const Matrix3d& together, double reach, double& misfit) noexcept {
+  misfit = 1.0;
+  const Vector3d scale(1.0, 1.0, 1.0 / reach);
+  Matrix3d scaled = scale.asDiagonal() * noise * scale.asDiagonal();
+  scaled.diagonal().array() += 1e-9 * scaled.trace() + 1e-30;
+  const Eigen::LLT<Matrix3d> root(scaled);
+  const Matrix3d lower = root.matrixL();
+  const Matrix3d whiten = lower.inverse() * scale.asDiagonal();
+  Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
+  eigen.computeDirect(whiten * together * whiten.transpose());
+  const Vector3d more = (eigen.eigenvalues().array() - 1.0).max(0.0);
+  misfit = 1.0 + more.sum() / 3.0;
+  if (!(misfit > 1.0)) return noise;
+  const Matrix3d back = scale.cwiseInverse().asDiagonal() * lower * eigen.eigenvectors();
+  return noise + back * more.asDiagonal() * back.transpose();
+}
+
 /// The Schur complements of the rotation and of the translation.
 void tell_weakest(Uncertainty& result) noexcept {
   const auto sigma = [](double information) {
@@ -171,16 +191,18 @@ Assessment assess(const Matrix3d& information, const Vector3d& gradient, const N
   const double explained = gradient.dot(held.inverse * gradient);
   const double range2 = range_variance(sums, model, explained);
   told.range_noise = std::sqrt(range2);
+  told.tilt_sigma = sums.weights > 0.0 ? std::sqrt(turn_variance * sums.sharing) / sums.weights : 0.0;
+  told.twist_sigma = told.tilt_sigma / reach;
   const Matrix3d by_range = range2 * sums.by_range;
-  const Matrix3d noise = by_range + model.offset_variance() * sums.by_map;
+  const Matrix3d noise =
+      with_misfit(by_range + model.offset_variance() * sums.by_map, sums.together, reach, told.misfit);
   const Matrix3d inverse_noise = safe_inverse(noise, reach);
-  told.misfit = std::max(1.0, (sums.together * inverse_noise).trace() / 3.0);
 
   result.weighting = held.debiased * inverse_noise;
   result.weighted = held.plain * inverse_noise * held.plain;
-  told.information = held.debiased * inverse_noise * held.debiased / told.misfit;
-  told.covariance = told.misfit * held.inverse * noise * held.inverse;
-  told.systematic = held.inverse * (told.misfit * noise - by_range) * held.inverse;
+  told.information = held.debiased * inverse_noise * held.debiased;
+  told.covariance = held.inverse * noise * held.inverse;
+  told.systematic = held.inverse * (noise - by_range) * held.inverse;
   if (held.blind) {
     const Matrix3d nothing = Matrix3d::Identity() - held.inverse * held.debiased;
     told.unheld = Uncertainty::unheld_variance * nothing * nothing.transpose();

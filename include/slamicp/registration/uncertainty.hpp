@@ -39,14 +39,18 @@ struct Uncertainty {
   /// average out over time. Nothing in a direction that the pairs do not hold.
   Matrix<3, 3> systematic = Matrix<3, 3>::Zero();
   double range_noise = 0.0;  ///< of a range, as used [m]
-  /// How much stronger neighbouring points pull together than noise explains, at least 1: the covariance is that much
-  /// larger. Corners, doors ajar and things beside walls do it.
+  /// How much more neighbouring points pull together than noise explains, a mean over the directions, at least 1: the
+  /// covariance is larger by it. Corners, doors ajar and things beside walls do it.
   double misfit = 1.0;
   /// True where the pairs hold some direction no better than the noise of the map's normals pretends.
   bool blind = false;
   /// The direction in which the pairs hold the position least, whatever the rotation: unit vector in the robot's frame.
   Vector<2> weakest = Vector<2>::UnitX();
-  double weakest_sigma = 0.0;   ///< standard deviation in that direction [m]; infinite where blind
+  double weakest_sigma = 0.0;  ///< standard deviation in that direction [m]; infinite where blind
+  /// How well the pairs know the direction of their lines together, by the noise of the map's normals [rad]: so far a
+  /// blind direction may be turned.
+  double tilt_sigma = 0.0;
+  double twist_sigma = 0.0;     ///< how much the heading may seem to change along a blind direction, likewise [rad/m]
   double rotation_sigma = 0.0;  ///< of the heading [rad]; infinite where the pairs do not hold it
 
   /// The part of the covariance in directions that the pairs do not hold.
