@@ -167,9 +167,9 @@ struct Icp<D>::State {
   void forget() noexcept;
   void make_room(std::size_t map_points, const Outputs& wanted);
   void find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess, const NoiseModel* noise,
-                 double unsure);
-  void fuse(const IndexedPoints<D>& map, PointView<D> scan, const NoiseModel& noise, const PosePrior& prior,
-            const Pose<D>& guess);
+                 bool has_prior, double unsure);
+  void judge(const IndexedPoints<D>& map, PointView<D> scan, const NoiseModel& noise, const PosePrior& prior,
+             const Pose<D>& guess);
   void hand_out(const IndexedPoints<D>& map, PointView<D> scan, const Outputs& wanted);
   void match_all(PointView<D> scan, const Outputs& wanted, bool want_outliers);
   void find_outliers(PointView<D> scan);
@@ -232,7 +232,7 @@ std::size_t Icp<D>::State::searches() const noexcept {
 
 template <int D>
 void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess,
-                              const NoiseModel* noise, double unsure) {
+                              const NoiseModel* noise, bool has_prior, double unsure) {
   result.pose = guess;
   if (begin(map, scan) < fewest_points<D>) {
     result.stop = Stop::too_few_points;
@@ -257,7 +257,7 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
       result.uncertainty = {};
       return;
     }
-    if (step.uncertainty.blind) {
+    if (step.uncertainty.blind && has_prior) {
       result.stop = Stop::degenerate;  // more steps would follow the noise: see fuse()
       return;
     }
@@ -281,39 +281,35 @@ void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, co
   }
 }
 
-/// Takes in what was known before. Where the pairs hold the pose they have found it, and the prior moves it in one
-/// step; in a direction that they do not hold, where they have followed the noise, it is found anew.
+/// How well the pairs hold the pose, and takes in what was known before. Where they hold it they have found it, and the
+/// prior moves it in one step; in a direction that they do not hold, where they have followed the noise, it is found
+/// anew.
 template <int D>
-void Icp<D>::State::fuse(const IndexedPoints<D>& map, PointView<D> scan, const NoiseModel& noise,
-                         const PosePrior& prior, const Pose<D>& guess) {
+void Icp<D>::State::judge(const IndexedPoints<D>& map, PointView<D> scan, const NoiseModel& noise,
+                          const PosePrior& prior, const Pose<D>& guess) {
   if constexpr (D == 2) {
     if (result.stop == Stop::no_overlap || result.stop == Stop::too_few_points) return;
     constexpr int most_steps = 10;
     const double gate = Gate(options, map.spacing(), 0.0).last();
-    // Without a prior the guess is one, too weak to be seen but where there is nothing else.
-    const PosePrior known = prior.given() ? prior : PosePrior{guess, Matrix<3, 3>::Identity()};
     const auto step_from = [&](const Pose2& pose, const PosePrior* with) {
       return step(
           {map, scan, 1, pose, gate, options.kernel, options.kernel_scale, guess, options.guess_share, &noise, with});
     };
     if (!result.uncertainty.known) result.uncertainty = step_from(result.pose, nullptr).uncertainty;
-    if (!result.uncertainty.known) return;
+    if (!result.uncertainty.known || !prior.given()) return;
     if (!result.uncertainty.blind) {
-      if (prior.given())
-        result.pose = result.pose * Pose2::exp(motion_by_prior(result.uncertainty, prior, result.pose));
+      result.pose = result.pose * Pose2::exp(motion_by_prior(result.uncertainty, prior, result.pose));
       return;
     }
-    result.stop = Stop::degenerate;
     Convergence<2> convergence(options, result.pose);
-    for (int k = 0; k < most_steps; ++k) {
-      const Step<2> next = step_from(result.pose, &known);
-      if (next.pairs < fewest_points<2> || !next.pose.is_finite()) return;
+    for (int k = 0; k < most_steps && !(k > 0 && convergence.reached()); ++k) {
+      const Step<2> next = step_from(result.pose, &prior);
+      if (next.pairs < fewest_points<2> || !next.pose.is_finite()) break;
       result.pose = next.pose;
       result.pairs = next.pairs;
       result.uncertainty = next.uncertainty;
       ++result.iterations;
       convergence.step_to(result.pose);
-      if (convergence.reached()) break;
     }
     result.stop = result.uncertainty.blind ? Stop::degenerate : Stop::converged;
   }
@@ -421,9 +417,9 @@ const IcpResult<D>& Icp<D>::align(const IndexedPoints<D>& map, PointView<D> scan
   const std::optional<NoiseModel> noise = state_->noise_model(map, wanted.covariance || prior.given());
   // Angles leave the library in (-pi, pi], the guess's too.
   const Pose<D> start = guess * Pose<D>{};
-  state_->find_pose(map, scan, start, noise ? &*noise : nullptr, three_sigma(prior));
+  state_->find_pose(map, scan, start, noise ? &*noise : nullptr, prior.given(), three_sigma(prior));
   state_->result.searches = state_->searches();
-  if (noise) state_->fuse(map, scan, *noise, prior, start);
+  if (noise) state_->judge(map, scan, *noise, prior, start);
   state_->hand_out(map, scan, wanted);
   state_->result.searches_for_outputs = state_->searches() - state_->result.searches;
   return state_->result;

@@ -77,13 +77,10 @@ TEST(UncertaintyTest, ARoomHoldsEveryDirection) {
 TEST(UncertaintyTest, ANoisyCorridorIsBlindAlongItself) {
   const Seen seen(corridor_of(40.0, false), {0.4, 0.2, 0.1});
   const IcpResult2 result = match(seen);
-  EXPECT_EQ(result.stop, Stop::degenerate) << "the normals' noise holds nothing";
-  EXPECT_TRUE(result.uncertainty.blind);
+  EXPECT_TRUE(result.uncertainty.blind) << "the normals' noise holds nothing";
   EXPECT_EQ(result.uncertainty.weakest_sigma, std::numeric_limits<double>::infinity());
   const Vector<2> in_map = result.pose.rotation() * result.uncertainty.weakest;
   EXPECT_GT(std::abs(in_map.x()), 0.999);
-  const Pose2 guess = seen.truth * Pose2{0.02, 0.01, 0.004};
-  EXPECT_NEAR(result.pose.x, guess.x, 0.003) << "it keeps the guess there";
   EXPECT_NEAR(result.pose.y, seen.truth.y, 0.004);
 }
 
@@ -100,6 +97,7 @@ TEST(UncertaintyTest, ABlindDirectionFollowsThePrior) {
   const Pose2 mean{0.47, 0.21, 0.1};
   const IcpResult2 result = match(seen, {}, prior_at(mean, 0.1));
   EXPECT_TRUE(result.uncertainty.blind);
+  EXPECT_EQ(result.stop, Stop::degenerate);
   EXPECT_NEAR(result.pose.x, mean.x, 0.003);
   EXPECT_NEAR(result.pose.y, seen.truth.y, 0.004);
 }

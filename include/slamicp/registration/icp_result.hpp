@@ -14,8 +14,8 @@ namespace slamicp {
 enum class Stop {
   converged,       ///< what is left to move is below the tolerances
   max_iterations,  ///< it was still moving
-  /// Some direction is not held by any pair, or, where the covariance was asked for, no better than the noise of the
-  /// map's normals pretends. The pose keeps the guess there, or what a prior says.
+  /// Some direction is not held by any pair, or, where a prior takes part, no better than the noise of the map's
+  /// normals pretends. The pose keeps the guess there, or follows the prior.
   degenerate,
   too_few_points,  ///< the scan has too few usable points; the pose is the guess
   no_overlap,      ///< too few pairs within the gate; the pose is the guess
