@@ -30,6 +30,7 @@ struct LocalizeWords {
   MatchOptions match;
   MotionOptions motion;
   bool calibrate_odometry = false;
+  bool recover = false;
 };
 
 LocalizerOptions localizer_options(const LocalizeWords& words) {
@@ -68,8 +69,8 @@ class Tables {
     const Matrix<3, 3> covariance = fix.covariance_in_map();
     metrics_->add({scan_number, fix.stamp, fix.pose.x, fix.pose.y, fix.pose.theta, to_string(fix.stop()),
                    fix.match.iterations, fix.scan.in_robot.size(), fix.match.inliers, fix.outliers().size(),
-                   fix.match.mean_inlier_distance, time_us, covariance(0, 0), covariance(1, 1), covariance(2, 2),
-                   blind_deg(fix)});
+                   fix.match.mean_inlier_distance, time_us, to_string(fix.quality.state), fix.quality.probability,
+                   covariance(0, 0), covariance(1, 1), covariance(2, 2), blind_deg(fix)});
   }
 
   void commit() {
@@ -181,6 +182,9 @@ void run(const LocalizeWords& words) {
   record.map_file = words.map;
   record.initial_pose = words.initial_pose.value_or(Pose2{});
   localizer.set_pose(record.initial_pose);
+  constexpr int places_a_scan = 2000;
+  int recoveries = 0;
+  std::map<std::string, std::size_t> states;
   {
     Progress progress("localizing", log.size());
     for (std::size_t number = 0; number < log.size(); ++number) {
@@ -190,7 +194,11 @@ void run(const LocalizeWords& words) {
       tables.add(number, fix, log[number], time_us);
       record.add(fix, time_us);
       if (words.calibrate_odometry) wheels.add(log[number], fix);
-      if (!words.update_map.empty() && fix.usable()) localizer.set_map(update_with_outliers<2>(fix.map, fix.match));
+      ++states[to_string(fix.quality.state)];
+      // What a blind direction was guessed for must not get into the map.
+      if (!words.update_map.empty() && fix.match.usable())
+        localizer.set_map(update_with_outliers<2>(fix.map, fix.match));
+      if (words.recover && localizer.recover(places_a_scan)) ++recoveries;
       progress.step();
     }
   }
@@ -201,6 +209,8 @@ void run(const LocalizeWords& words) {
   if (!words.update_map.empty()) save_map(words.update_map, *localizer.map());
   if (!words.report.empty()) write_report(words.report, record);
   Json results = summary(words, record);
+  results["states"] = states;
+  if (words.recover) results["recoveries"] = recoveries;
   const Talk talk(words.json);
   talk(record.brief());
   if (words.calibrate_odometry) {
@@ -226,6 +236,8 @@ void add_localize(CLI::App& program) {
   verb->add_option("--update-map", words->update_map, "the map with the outliers of usable scans added, step by step")
       ->type_name("MAP_OUT");
   verb->add_option("--report", words->report, "pictures, figures and charts in one page")->type_name("HTML");
+  verb->add_flag("--recover", words->recover,
+                 "where the pose is suspect or lost, look around: 3 m, all headings, 2000 places a scan");
   verb->add_flag("--calibrate-odometry", words->calibrate_odometry,
                  "tell what the log's odometry gets wrong all the time: its scales, and how it veers");
   add_motion_options(*verb, words->motion);

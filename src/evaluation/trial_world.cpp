@@ -129,4 +129,18 @@ World with_unmapped_things(World world, const Pose2& T_map_robot, const LidarMod
   return world;
 }
 
+World furnished(World world, int count, Random& random) {
+  for (int k = 0; k < count; ++k) {
+    const Pose2 beside = place_beside_route(world, random);
+    Box box;
+    box.width = random.uniform(0.3, 1.5);
+    box.depth = random.uniform(0.3, 0.8);
+    box.heading = beside.theta;
+    const double side = random.uniform(0.8, 2.0);
+    box.centre = beside * Point2(0.0, random.uniform() < 0.5 ? side : -side);
+    for (const Segment& wall : sides(box)) world.walls.push_back(wall);
+  }
+  return world;
+}
+
 }  // namespace slamicp

@@ -43,7 +43,7 @@ class Line {
 constexpr std::string_view header_of(const OutlierRow&) { return "scan,stamp,beam,x,y,distance,kind\n"; }
 constexpr std::string_view header_of(const MetricsRow&) {
   return "scan,stamp,x,y,theta,stop,iterations,points,inliers,outliers,mean_inlier_distance,time_us,"
-         "var_x,var_y,var_theta,blind_deg\n";
+         "state,probability,var_x,var_y,var_theta,blind_deg\n";
 }
 constexpr std::string_view header_of(const ObstacleRow&) {
   return "scan,stamp,id,kind,x,y,width,depth,heading,radius,points,speed,state\n";
@@ -56,7 +56,7 @@ void append(Line line, const OutlierRow& row) {
 void append(Line line, const MetricsRow& row) {
   line.whole(row.scan).real(row.stamp).real(row.x).real(row.y).real(row.theta, 9).word(row.stop);
   line.whole(row.iterations).whole(row.points).whole(row.inliers).whole(row.outliers);
-  line.real(row.mean_inlier_distance).real(row.time_us, 1);
+  line.real(row.mean_inlier_distance).real(row.time_us, 1).word(row.state).real(row.probability, 4);
   line.real(row.var_x, 12).real(row.var_y, 12).real(row.var_theta, 12).real(row.blind_deg, 2);
 }
 

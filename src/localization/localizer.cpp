@@ -6,6 +6,7 @@
 #include <slamicp/localization/localizer.hpp>
 #include <slamicp/registration/icp.hpp>
 
+#include "localization/judge.hpp"
 #include "localization/pose_belief.hpp"
 #include "localization/prediction.hpp"
 #include "localization/slide.hpp"
@@ -31,6 +32,8 @@ std::string LocalizerOptions::problem() const {
   if (!(ranges.max_range > ranges.min_range)) return "ranges.max_range must be above ranges.min_range";
   if (const std::string in_prediction = prediction.problem(); !in_prediction.empty())
     return "prediction: " + in_prediction;
+  if (const std::string in_quality = quality.problem(); !in_quality.empty()) return "quality: " + in_quality;
+  if (const std::string in_search = search.problem(); !in_search.empty()) return "search: " + in_search;
   return icp().problem();
 }
 
@@ -41,6 +44,10 @@ double half_of(std::span<const LaserScan> scans) noexcept {
   double sum = 0.0;
   for (const LaserScan& scan : scans) sum += scan.stamp - scans.front().stamp + 0.5 * sweep_time(scan);
   return sum / static_cast<double>(scans.size());
+}
+
+bool is_doubted(TrackingState state) noexcept {
+  return state == TrackingState::suspect || state == TrackingState::lost;
 }
 
 /// How the scan's rays lie; those of joined scans count as the first one's.
@@ -56,7 +63,11 @@ Rays rays_of(const LaserScan& scan) noexcept {
 
 struct Localizer::State {
   explicit State(const LocalizerOptions& chosen)
-      : options(chosen), icp(chosen.icp()), prediction(chosen.use_odometry), belief(chosen.prediction) {
+      : options(chosen),
+        icp(chosen.icp()),
+        prediction(chosen.use_odometry),
+        belief(chosen.prediction),
+        judge_of_pose(chosen.quality) {
     forget();
   }
 
@@ -64,10 +75,15 @@ struct Localizer::State {
   Icp<2> icp;
   Prediction prediction;
   PoseBelief belief;
-  PosePrior prior;         // the prediction, where it takes part
-  PointMap2::Pointer map;  // null until the first scan in scan-to-scan mode
+  Judge judge_of_pose;
+  std::optional<LocalSearch> search;  // where one is under way ...
+  Pose2 moved;                        // ... the motion since its scan
+  Pose2 trusted;                      // the last pose that was not doubted, moved on by odometry
+  PosePrior prior;                    // the prediction, where it takes part
+  PointMap2::Pointer map;             // null until the first scan in scan-to-scan mode
   bool scan_to_scan = false;
   std::vector<ScanProjector> projectors;  // one for each of the scans that are joined
+  std::vector<Point2> origins;            // of their rays, in the robot's frame
   Fix fix;
 
   bool fuses() const noexcept {
@@ -77,6 +93,8 @@ struct Localizer::State {
   void match(std::span<const LaserScan> scans);
   void predict(const LaserScan& first, const Pose2& motion) noexcept;
   void judge(const LaserScan& first) noexcept;
+  void doubt() noexcept;
+  bool recover(int budget);
   void look_along_blind_direction();
   void project(std::span<const LaserScan> scans, const Velocity& velocity);
   SweepMotion sweep_of(const LaserScan& scan, const LaserScan& first, const Velocity& velocity) const noexcept;
@@ -89,6 +107,8 @@ void Localizer::State::match(std::span<const LaserScan> scans) {
   const LaserScan& first = scans.front();
   fix.stamp = first.stamp;
   const Pose2 motion = prediction.motion_until(first);
+  moved = moved * motion;
+  if (prediction.is_by_odometry(first)) trusted = trusted * motion;
   const Pose2 predicted = fix.pose * motion;
   fix.predicted = predicted.is_finite() ? predicted : fix.pose;  // odometry may tell tales
   predict(first, motion);
@@ -111,6 +131,7 @@ void Localizer::State::match(std::span<const LaserScan> scans) {
     fix.pose =
         fix.match.stop == Stop::too_few_points || fix.match.stop == Stop::no_overlap ? fix.predicted : fix.match.pose;
     if (options.outputs.covariance) judge(first);
+    doubt();
   }
   prediction.remember(first, fix.pose * velocity.over(half));
   if (scan_to_scan) take_scan_as_map();
@@ -120,6 +141,8 @@ void Localizer::State::forget() noexcept {
   // Who sets a pose knows it to about where a match would find it.
   belief.forget(options.max_correspondence_distance / 3.0, 0.1);
   prediction.forget();
+  judge_of_pose.forget();
+  trusted = fix.pose;
 }
 
 void Localizer::State::predict(const LaserScan& first, const Pose2& motion) noexcept {
@@ -155,6 +178,36 @@ void Localizer::State::judge(const LaserScan& first) noexcept {
   fix.covariance(2, 2) += match.twist_sigma * match.twist_sigma * along2;
 }
 
+/// Whether the pose is right at all.
+void Localizer::State::doubt() noexcept {
+  if (options.quality.rays == 0 || scan_to_scan) return;
+  const IndexedPoints<2>& points = map->indexed();
+  const bool matched = fix.match.usable() || fix.match.stop == Stop::degenerate;
+  const double range_noise =
+      fix.match.uncertainty.known ? fix.match.uncertainty.range_noise : std::max(options.noise.range, 0.01);
+  const double noise = std::hypot(range_noise, points.line_noise().across);
+  const Evidence evidence =
+      look(points, {fix.scan, origins, fix.pose}, options.quality.rays, options.max_correspondence_distance, noise);
+  fix.quality = judge_of_pose.update(evidence, matched, fix.match.stop != Stop::degenerate);
+  if (!is_doubted(fix.quality.state)) trusted = fix.pose;
+}
+
+bool Localizer::State::recover(int budget) {
+  if (!is_doubted(fix.quality.state))
+    search.reset();
+  else if (!search && map && !fix.scan.in_robot.empty()) {
+    search.emplace(map, fix.scan, origins.front(), trusted, options.icp(), options.search);
+    moved = {};
+  }
+  if (!search || !search->step(budget)) return false;
+  const std::optional<FoundPlace> found = search->found();
+  search.reset();
+  if (!found || !found->unique || found->probability < options.quality.suspect_below) return false;
+  fix.pose = found->pose * moved;
+  forget();
+  return true;
+}
+
 /// Where the position may be far off in some direction, what has no match here may have one further along. If so, the
 /// match starts again there.
 void Localizer::State::look_along_blind_direction() {
@@ -181,8 +234,12 @@ void Localizer::State::project(std::span<const LaserScan> scans, const Velocity&
   fix.scan.in_robot.clear();
   fix.scan.beams.clear();
   fix.scan.scans.clear();
+  origins.clear();
   std::size_t most = 0;
-  for (const LaserScan& scan : scans) most += scan.ranges.size();
+  for (const LaserScan& scan : scans) {
+    most += scan.ranges.size();
+    origins.push_back(scan.T_robot_laser.translation());
+  }
   fix.scan.in_robot.reserve(most);
   fix.scan.beams.reserve(most);
   icp.reserve(most);
@@ -216,8 +273,8 @@ bool Localizer::State::worth_another_look(std::span<const LaserScan> scans, cons
   for (const LaserScan& scan : scans) {
     const SweepMotion was = sweep_of(scan, scans.front(), before);
     const SweepMotion is = sweep_of(scan, scans.front(), now);
-    const PoseDistance moved = distance(was.T_start_first * was.T_first_last, is.T_start_first * is.T_first_last);
-    if (moved.translation + reach * moved.rotation > most) return true;
+    const PoseDistance shift = distance(was.T_start_first * was.T_first_last, is.T_start_first * is.T_first_last);
+    if (shift.translation + reach * shift.rotation > most) return true;
   }
   return false;
 }
@@ -287,6 +344,8 @@ const Fix& Localizer::update(std::span<const LaserScan> scans) noexcept {
   if (!scans.empty()) state_->match(scans);
   return state_->fix;
 }
+
+bool Localizer::recover(int budget) { return state_->recover(budget); }
 
 const Fix& Localizer::fix() const noexcept { return state_->fix; }
 const LocalizerOptions& Localizer::options() const noexcept { return state_->options; }

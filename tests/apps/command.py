@@ -15,7 +15,7 @@ VERBS = ("demo", "info", "convert", "simulate", "map", "localize", "align", "odo
 
 OUTLIERS_HEADER = "scan,stamp,beam,x,y,distance,kind"
 METRICS_HEADER = ("scan,stamp,x,y,theta,stop,iterations,points,inliers,outliers,mean_inlier_distance,time_us,"
-                  "var_x,var_y,var_theta,blind_deg")
+                  "state,probability,var_x,var_y,var_theta,blind_deg")
 OBSTACLES_HEADER = "scan,stamp,id,kind,x,y,width,depth,heading,radius,points,speed,state"
 
 

@@ -110,14 +110,16 @@ TEST(CsvTable, WritesTheHeadersThatScriptsRelyOn) {
   row.points = 1081;
   row.mean_inlier_distance = std::numeric_limits<double>::quiet_NaN();
   row.time_us = 812.25;
+  row.state = "suspect";
+  row.probability = 0.3125;
   row.var_x = 2.5e-7;
   row.blind_deg = 90.0;
   metrics.add(row);
   metrics.commit();
   EXPECT_EQ(get(folder / "metrics.csv"),
             "scan,stamp,x,y,theta,stop,iterations,points,inliers,outliers,mean_inlier_distance,time_us,"
-            "var_x,var_y,var_theta,blind_deg\n"
-            "0,0.000000,0.000000,0.000000,0.000000000,max_iterations,30,1081,0,0,nan,812.2,"
+            "state,probability,var_x,var_y,var_theta,blind_deg\n"
+            "0,0.000000,0.000000,0.000000,0.000000000,max_iterations,30,1081,0,0,nan,812.2,suspect,0.3125,"
             "0.000000250000,0.000000000000,0.000000000000,90.00\n");
 
   CsvTable<ObstacleRow> obstacles(folder / "obstacles.csv");

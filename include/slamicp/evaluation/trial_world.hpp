@@ -32,4 +32,8 @@ Pose2 place_beside_route(const World& world, Random& random);
 World with_unmapped_things(World world, const Pose2& T_map_robot, const LidarModel& lidar, double share,
                            Random& random);
 
+/// The world with furniture beside its route, as a map has it that was made before the furniture was carried away.
+/// @param count  of boxes of 0.3 to 1.5 m
+World furnished(World world, int count, Random& random);
+
 }  // namespace slamicp

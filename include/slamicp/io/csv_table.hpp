@@ -35,6 +35,8 @@ struct MetricsRow {
   std::size_t outliers = 0;           ///< at least the outlier distance from the map
   double mean_inlier_distance = 0.0;  ///< [m]; NaN without inliers
   double time_us = 0.0;               ///< what the match took [us]
+  std::string state = "tracking";     ///< tracking, degenerate, suspect, lost
+  double probability = 1.0;           ///< that the pose is right
   double var_x = 0.0;                 ///< of the pose in the map [m^2]; NaN where not known
   double var_y = 0.0;                 ///< [m^2]
   double var_theta = 0.0;             ///< [rad^2]

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <slamicp/localization/quality.hpp>
 #include <slamicp/map/point_map.hpp>
 #include <slamicp/registration/icp_result.hpp>
 #include <slamicp/scan/scan_points.hpp>
@@ -39,6 +40,7 @@ struct Fix {
   /// What the direction is carried by that the scan does not hold. With Outputs::covariance.
   Carrier carried_by = Carrier::scan;
   Vector<2> blind_direction = Vector<2>::Zero();  ///< unit vector in the map; zero where there is none
+  Quality quality;                                ///< whether the pose is right at all
 
   Stop stop() const noexcept { return match.stop; }
   /// True if the pose can be used: every direction is held by the scan or carried by odometry.

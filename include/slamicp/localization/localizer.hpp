@@ -7,6 +7,7 @@
 #include <string>
 
 #include <slamicp/localization/fix.hpp>
+#include <slamicp/localization/local_search.hpp>
 #include <slamicp/localization/prediction_noise.hpp>
 #include <slamicp/registration/icp_options.hpp>
 #include <slamicp/scan/laser_scan.hpp>
@@ -30,6 +31,8 @@ struct LocalizerOptions {
   bool deskew = true;
   PointNoise noise{};            ///< of ranges and map, see IcpOptions
   PredictionNoise prediction{};  ///< of odometry, or of constant velocity where there is none
+  QualityOptions quality{};      ///< when to doubt the pose
+  LocalSearchOptions search{};   ///< where `recover` looks
   /// What to compute for each fix besides the pose. Per-point matches cost a distance a point. With the covariance the
   /// prediction takes part in the fix by its own, so that a direction the scan does not hold follows odometry.
   Outputs outputs = {
@@ -69,6 +72,12 @@ class Localizer {
   /// One fix from the scans of several lasers of one robot, each with its own place on it and its own stamp. The pose
   /// is that at the first scan's stamp. No scan: the last Fix again.
   const Fix& update(std::span<const LaserScan> scans) noexcept;
+
+  /// Looks for the robot near where it was last trusted, where the quality says `suspect` or `lost`: one call a scan,
+  /// each of which looks at up to `budget` places more (a thousand in about half a millisecond, see LocalSearch). True
+  /// where it found the robot and set the pose anew, from the next update on; motion since the search began is counted
+  /// in. Allocates.
+  bool recover(int budget);
 
   /// The last Fix; before the first scan one at the pose that was set, not usable.
   const Fix& fix() const noexcept;

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include <slamicp/localization/quality.hpp>
+#include <slamicp/scan/scan_points.hpp>
+#include <slamicp/search/indexed_points.hpp>
+
+namespace slamicp {
+
+/// A scan at the pose of its fix, to be held against the map.
+struct PlacedScan {
+  const ScanPoints& points;
+  std::span<const Point2> origins;  ///< of the rays of each joined scan, in the robot's frame
+  Pose2 T_map_robot;
+};
+
+/// What `rays` of the scan, evenly chosen, show. @param noise  of a point from its line, 1 sigma [m]
+Evidence look(const IndexedPoints<2>& map, const PlacedScan& scan, int rays, double match_distance,
+              double noise) noexcept;
+
+/// For a pose being right, by one scan's evidence: logistic regression over right and wrong poses in four simulated
+/// worlds, with things that came and things that left (`scripts/measure doubt --only calibration --samples FILE`).
+double log_odds(const Evidence& evidence) noexcept;
+
+/// Follows from scan to scan whether the pose is right.
+class Judge {
+ public:
+  explicit Judge(const QualityOptions& options) noexcept : options_(options) {}
+
+  /// The pose was set: it is believed until scans speak against it.
+  void forget() noexcept;
+
+  /// @param matched  false where the match found no pose
+  /// @param held     false where some direction is blind
+  Quality update(const Evidence& evidence, bool matched, bool held) noexcept;
+
+ private:
+  TrackingState next_state(bool held) noexcept;
+
+  static constexpr double at_first = 3.0;  // log odds of a pose that was set
+
+  QualityOptions options_;
+  double log_odds_ = at_first;
+  double awareness_ = 1.0;
+  int scans_ = 0;     // since the pose was set
+  int doubtful_ = 0;  // scans in a row
+};
+
+}  // namespace slamicp
