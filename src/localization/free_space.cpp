@@ -12,17 +12,13 @@ RayChecker::RayChecker(const IndexedPoints<2>& map, double match_distance, doubl
       on_surface_(std::clamp(4.0 * noise, std::min(0.03, 0.5 * match_distance), 0.5 * match_distance)),
       touch_(std::clamp(0.75 * points_.spacing(), std::min(0.01, 0.5 * match_distance), 0.5 * match_distance)) {}
 
-RayCheck RayChecker::check(const Point2& from, const Point2& to) const noexcept {
-  return {end_of(to), passes_wall(from, to)};
-}
-
-RayCheck::End RayChecker::end_of(const Point2& to) const noexcept {
+RayEnd RayChecker::end_of(const Point2& to) const noexcept {
   const Neighbour nearest = points_.nearest(to, match_distance_);
-  if (!nearest.found()) return RayCheck::End::open;
+  if (!nearest.found()) return RayEnd::open;
   const Surface2 surface = points_.surface(static_cast<std::size_t>(nearest.index));
   const double off =
       surface.valid() ? std::abs(surface.normal.dot(to - surface.centroid)) : std::sqrt(nearest.squared_distance);
-  return off <= on_surface_ ? RayCheck::End::explained : RayCheck::End::beside;
+  return off <= on_surface_ ? RayEnd::explained : RayEnd::beside;
 }
 
 /// Goes along the ray in leaps as long as nothing is near (Hart 1996, "Sphere tracing").

@@ -5,12 +5,8 @@
 
 namespace slamicp {
 
-/// What the map has at the end of a ray, and on its way.
-struct RayCheck {
-  enum class End { explained, beside, open };
-  End end = End::open;
-  bool passes_wall = false;
-};
+/// What the map has where a ray ends: a surface, one near by, nothing.
+enum class RayEnd { explained, beside, open };
 
 /// Holds rays against a map, one at a time.
 class RayChecker {
@@ -19,12 +15,14 @@ class RayChecker {
   /// @param noise           of a point from its line, of range and map together, 1 sigma [m]
   RayChecker(const IndexedPoints<2>& map, double match_distance, double noise) noexcept;
 
-  /// @param from, to  in the map [m]. O(length of the ray / match_distance) where no walls are near.
-  RayCheck check(const Point2& from, const Point2& to) const noexcept;
+  /// @param to  in the map [m]
+  RayEnd end_of(const Point2& to) const noexcept;
+
+  /// True if there is a wall on the way. O(length of the ray / match_distance) where no walls are near.
+  /// @param from, to  in the map [m]
+  bool passes_wall(const Point2& from, const Point2& to) const noexcept;
 
  private:
-  RayCheck::End end_of(const Point2& to) const noexcept;
-  bool passes_wall(const Point2& from, const Point2& to) const noexcept;
   bool parts(int wall, const Point2& from, const Point2& to) const noexcept;
 
   const IndexedPoints<2>& points_;

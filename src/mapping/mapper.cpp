@@ -28,6 +28,7 @@ LocalizerOptions localizer_options(const MapperOptions& options) {
                        .outliers_in_map = true,
                        .transformed_scan = options.update == MapUpdate::all_points,
                        .matches = options.update == MapUpdate::outliers};
+  localizer.quality.rays = 0;
   return localizer;
 }
 

@@ -35,19 +35,19 @@ IndexedPoints<2> wall() {
 TEST(RayCheckerTest, TellsWhereARayEnds) {
   const IndexedPoints<2> map = wall();
   const RayChecker checker(map, 0.3, 0.005);
-  EXPECT_EQ(checker.check({0, 0}, {1.01, 0.5}).end, RayCheck::End::explained);
-  EXPECT_EQ(checker.check({0, 0}, {0.8, 0.5}).end, RayCheck::End::beside);
-  EXPECT_EQ(checker.check({0, 0}, {0.3, 0.1}).end, RayCheck::End::open);
+  EXPECT_EQ(checker.end_of({1.01, 0.5}), RayEnd::explained);
+  EXPECT_EQ(checker.end_of({0.8, 0.5}), RayEnd::beside);
+  EXPECT_EQ(checker.end_of({0.3, 0.1}), RayEnd::open);
 }
 
 TEST(RayCheckerTest, FindsTheWallThatARayWentThrough) {
   const IndexedPoints<2> map = wall();
   const RayChecker checker(map, 0.3, 0.005);
-  EXPECT_TRUE(checker.check({0, 0}, {3.0, 0.7}).passes_wall);
-  EXPECT_FALSE(checker.check({0, 0}, {1.0, 0.7}).passes_wall) << "it ends there";
-  EXPECT_FALSE(checker.check({0, 0}, {0.5, 0.7}).passes_wall) << "it ends before";
-  EXPECT_FALSE(checker.check({0, 0}, {3.0, 9.0}).passes_wall) << "the wall ends before";
-  EXPECT_FALSE(checker.check({0.97, -3.0}, {0.97, 3.0}).passes_wall) << "it runs beside the wall";
+  EXPECT_TRUE(checker.passes_wall({0, 0}, {3.0, 0.7}));
+  EXPECT_FALSE(checker.passes_wall({0, 0}, {1.0, 0.7})) << "it ends there";
+  EXPECT_FALSE(checker.passes_wall({0, 0}, {0.5, 0.7})) << "it ends before";
+  EXPECT_FALSE(checker.passes_wall({0, 0}, {3.0, 9.0})) << "the wall ends before";
+  EXPECT_FALSE(checker.passes_wall({0.97, -3.0}, {0.97, 3.0})) << "it runs beside the wall";
 }
 
 TEST(EvidenceTest, IsAllForTheRightPose) {

@@ -43,8 +43,8 @@ struct Quality {
 
 /// When a localizer begins to doubt its pose, and when it trusts it again.
 struct QualityOptions {
-  /// Rays looked at, evenly over the scan. More is surer and slower: each costs about 0.2 us. 0: no quality at all.
-  /// 0, or 16 to 256.
+  /// Rays looked at, evenly over the scan. More is surer and slower: one that the map explains costs a look at its end,
+  /// any other one a walk along it. 0: no quality at all. 0, or 16 to 256.
   int rays = 64;
   double suspect_below = 0.6;      ///< probability below which the pose is suspect, in (0, 1)
   double trusted_above = 0.95;     ///< probability above which it is trusted again, in (suspect_below, 1)
