@@ -196,7 +196,7 @@ void run(const LocalizeWords& words) {
       if (words.calibrate_odometry) wheels.add(log[number], fix);
       ++states[to_string(fix.quality.state)];
       // What a blind direction was guessed for must not get into the map.
-      if (!words.update_map.empty() && fix.match.usable())
+      if (!words.update_map.empty() && fix.usable() && fix.carried_by == Carrier::scan)
         localizer.set_map(update_with_outliers<2>(fix.map, fix.match));
       if (words.recover && localizer.recover(places_a_scan)) ++recoveries;
       progress.step();

@@ -164,6 +164,9 @@ void Localizer::State::judge(const LaserScan& first) noexcept {
   if (match.blind || !match.known)
     fix.carried_by = prediction.is_by_odometry(first) ? Carrier::odometry : Carrier::velocity;
   if (match.blind) fix.blind_direction = fix.pose.rotation() * match.weakest;
+  // Scan and wheels together hold every direction: that is a pose.
+  if (fix.match.stop == Stop::degenerate && match.blind && fix.carried_by == Carrier::odometry)
+    fix.match.stop = Stop::converged;
   if (!fuses()) {
     fix.covariance = match.covariance;
     return;
@@ -188,7 +191,8 @@ void Localizer::State::doubt() noexcept {
   const double noise = std::hypot(range_noise, points.line_noise().across);
   const Evidence evidence =
       look(points, {fix.scan, origins, fix.pose}, options.quality.rays, options.max_correspondence_distance, noise);
-  fix.quality = judge_of_pose.update(evidence, matched, fix.match.stop != Stop::degenerate);
+  const bool held = fix.match.stop != Stop::degenerate && fix.blind_direction.isZero();
+  fix.quality = judge_of_pose.update(evidence, matched, held);
   if (!is_doubted(fix.quality.state)) trusted = fix.pose;
 }
 

@@ -42,11 +42,10 @@ struct Fix {
   Vector<2> blind_direction = Vector<2>::Zero();  ///< unit vector in the map; zero where there is none
   Quality quality;                                ///< whether the pose is right at all
 
+  /// `degenerate` only where nothing measured carries a blind direction: with odometry it has converged.
   Stop stop() const noexcept { return match.stop; }
   /// True if the pose can be used: every direction is held by the scan or carried by odometry.
-  bool usable() const noexcept {
-    return match.usable() || (match.stop == Stop::degenerate && carried_by == Carrier::odometry);
-  }
+  bool usable() const noexcept { return match.usable(); }
   /// The covariance along the map's axes: of (x, y) in the map [m] and the heading [rad].
   Matrix<3, 3> covariance_in_map() const noexcept;
   const std::vector<int>& outliers() const noexcept { return match.outlier_indices; }
