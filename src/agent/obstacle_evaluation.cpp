@@ -53,8 +53,7 @@ class ObstacleEvaluation::WayAhead {
     const double start = static_cast<double>(first_ + k - 1) * SplinePath::place_spacing;
     if (!(length > 0.0)) return {start - from_, 0.0, off.norm()};
     const double along = std::clamp(chord.dot(off) / length, std::clamp(from_ - start, 0.0, length), length);
-    return {start + along - from_, (chord.x() * off.y() - chord.y() * off.x()) / length,
-            (off - along / length * chord).norm()};
+    return {start + along - from_, cross(chord, off) / length, (off - along / length * chord).norm()};
   }
 
   double from_;

@@ -75,7 +75,7 @@ Pose2 least_squares(const std::vector<Pair>& pairs) noexcept {
     const Point2 from = pair.estimate.translation() - centre_of_estimate;
     const Point2 to = pair.truth.translation() - centre_of_truth;
     cosine += from.dot(to);
-    sine += from.x() * to.y() - from.y() * to.x();
+    sine += cross(from, to);
   }
   const Pose2 turn{0.0, 0.0, std::atan2(sine, cosine)};
   const Point2 shift = centre_of_truth - turn * centre_of_estimate;

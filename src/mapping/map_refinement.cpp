@@ -61,7 +61,7 @@ void MapRefinement::expect(std::size_t map_size, const Fix& fix, std::span<const
 bool MapRefinement::may_be_mixed(const Fix& fix, std::size_t i) const noexcept {
   const PointCloud2& points = fix.scan.in_robot;
   const auto on_one_surface = [&](const Point2& a, const Point2& b) {
-    const double arc = std::abs(a.x() * b.y() - a.y() * b.x()) / std::max(a.norm(), b.norm());
+    const double arc = std::abs(cross(a, b)) / std::max(a.norm(), b.norm());
     return (a - b).norm() <= flattest * arc + reach_;
   };
   bool is_behind = false;

@@ -41,8 +41,6 @@ PointCloud2 natural_second_derivatives(const PointCloud2& knots, const std::vect
   return second;
 }
 
-double cross_product(const Point2& a, const Point2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
-
 }  // namespace
 
 /// A point of the curve, and its derivatives by the chord length.
@@ -56,7 +54,7 @@ struct SplinePath::CurvePoint {
 
   double curvature() const noexcept {
     const double speed = derivative.norm();
-    return speed > 0.0 ? cross_product(derivative, second_derivative) / (speed * speed * speed) : 0.0;
+    return speed > 0.0 ? cross(derivative, second_derivative) / (speed * speed * speed) : 0.0;
   }
 };
 
@@ -143,14 +141,14 @@ PathPlace SplinePath::nearest(const Point2& point, double from, double to) const
   for (int step = 0; step < most_steps; ++step) {
     const Point2 along = here.derivative.normalized();
     const Point2 off = point - here.position;
-    const double curvature = std::max(1.0 - here.curvature() * cross_product(along, off), least_curvature);
+    const double curvature = std::max(1.0 - here.curvature() * cross(along, off), least_curvature);
     const double next = std::clamp(distance + along.dot(off) / curvature, first, end);
     const bool there = std::abs(next - distance) < finest;
     distance = next;
     here = curve_at(distance);
     if (there) break;
   }
-  return {distance, cross_product(here.derivative.normalized(), point - here.position)};
+  return {distance, cross(here.derivative.normalized(), point - here.position)};
 }
 
 }  // namespace slamicp

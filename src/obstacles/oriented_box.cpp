@@ -12,8 +12,6 @@
 namespace slamicp {
 namespace {
 
-double cross(const Point2& a, const Point2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Along a direction, then across it.
 class Along {
  public:

@@ -7,9 +7,7 @@ namespace slamicp {
 namespace {
 
 double side_of_line(const Segment& line, const Point2& point) noexcept {
-  const Point2 along = line.b - line.a;
-  const Point2 to = point - line.a;
-  return along.x() * to.y() - along.y() * to.x();
+  return cross(line.b - line.a, point - line.a);
 }
 
 bool do_cross(const Segment& one, const Segment& other) noexcept {

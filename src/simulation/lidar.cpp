@@ -13,8 +13,6 @@ namespace {
 constexpr double full_turn = 2.0 * std::numbers::pi;
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-double cross(const Point2& a, const Point2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
-
 /// The directions that a thing spans, counter-clockwise from `lower` [rad].
 struct Span {
   double lower = 0.0;

@@ -43,6 +43,9 @@ using PointCloud3 = PointCloud<3>;
 
 static_assert(sizeof(Point2) == 2 * sizeof(double) && sizeof(Point3) == 3 * sizeof(double));
 
+/// Of two vectors of the plane, the area between them: above 0 where b is to the left of a.
+inline double cross(const Vector<2>& a, const Vector<2>& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
+
 /// True if every coordinate is a number: neither NaN nor infinite.
 template <int D>
 bool is_finite(const Point<D>& point) noexcept {
