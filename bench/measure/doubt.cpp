@@ -73,8 +73,7 @@ template <class See>
 void stand_about(std::string_view name, double unmapped, int furniture_gone, int places, std::uint64_t seed, See see) {
   constexpr int scans = 40;
   const World world = trial_world(name);
-  LidarModel lidar = hokuyo_utm30lx();
-  lidar.angle_min = -0.75 * std::numbers::pi;
+  const LidarModel lidar = hokuyo_utm30lx();
   Random random(seed);
   Localizer localizer(PointMap2::create(sample_map(furnished(world, furniture_gone, random), random)));
   for (int place = 0; place < places; ++place) {
@@ -103,9 +102,8 @@ Json false_alarms(double hours) {
       bool was_alarm = false;
       double awareness = 0.0;
       stand_about(world, unmapped, 0, static_cast<int>(hours * 3600.0), 11, [&](const Fix& fix, const Pose2& truth) {
-        const TrackingState state = fix.quality.state;
         const bool is_wrong = !is_right(fix.pose, truth);
-        const bool alarm = !is_wrong && (state == TrackingState::suspect || state == TrackingState::lost);
+        const bool alarm = !is_wrong && fix.quality.doubted();
         alarms += alarm && !was_alarm;
         was_alarm = alarm;
         wrong += is_wrong;
@@ -142,7 +140,7 @@ Json calibration(int count, const std::string& samples) {
   std::ofstream csv;
   if (!samples.empty()) csv.open(samples);
   if (csv) csv << "right,explained,beside,violations,spread\n";
-  const int first = samples.empty() ? 50000 : 1000;  // what is measured is not what was fitted to
+  const std::uint64_t first = samples.empty() ? 50000 : 1000;  // what is measured is not what was fitted to
   int seen = 0;
   const auto add = [&](const Fix& fix, bool right) {
     by_scan.add(fix.quality.scan_probability, right);
@@ -156,10 +154,10 @@ Json calibration(int count, const std::string& samples) {
     for (const std::string_view world : trial_world_names())
       for (int k = 0; k < count; k += 5) {
         const int gone = k % 2 == 0 ? 0 : 2;
-        JumpTrials trials(world, static_cast<std::uint64_t>(first + k), gone);
+        JumpTrials trials(world, first + static_cast<std::uint64_t>(k), gone);
         trials.watch(add);
         for (int n = 0; n < 5; ++n) trials.draw(unmapped);
-        stand_about(world, unmapped, gone, 25, static_cast<std::uint64_t>(first + 1000 + k),
+        stand_about(world, unmapped, gone, 25, first + 1000 + static_cast<std::uint64_t>(k),
                     [&](const Fix& fix, const Pose2& truth) { add(fix, is_right(fix.pose, truth)); });
       }
   Table table({"told", "scans", "right by one scan's word", "scans", "right by the average's"});
@@ -188,8 +186,7 @@ Json cost() {
   Json results = Json::array();
   for (const std::string_view name : trial_world_names()) {
     const World world = trial_world(name);
-    LidarModel lidar = hokuyo_utm30lx();
-    lidar.angle_min = -0.75 * std::numbers::pi;
+    const LidarModel lidar = hokuyo_utm30lx();
     Random random(5);
     const PointMap2::Pointer map = PointMap2::create(sample_map(world, random));
     LocalizerOptions bare;

@@ -86,7 +86,6 @@ CorridorDrive drive_corridor(std::uint64_t seed, double speed) {
   DriveOptions options;
   options.speed = speed;
   options.seed = seed;
-  options.lidar.angle_min = -0.75 * std::numbers::pi;
   options.odometry = no_odometry_noise();
   options.odometry.translation_scale_error = 0.02;
   const SimulatedRun run = simulate_drive(corridor, route(corridor, "reference").waypoints, options);
@@ -155,8 +154,7 @@ Json at_rest() {
   Json results = Json::array();
   for (const std::string_view name : trial_world_names()) {
     const World world = trial_world(name);
-    LidarModel lidar = hokuyo_utm30lx();
-    lidar.angle_min = -0.75 * std::numbers::pi;
+    const LidarModel lidar = hokuyo_utm30lx();
     Random random(3);
     const PointMap2::Pointer map = PointMap2::create(sample_map(world, random));
     double most = 0.0, most_turn = 0.0, told = 0.0, systematic = 0.0;
@@ -201,8 +199,7 @@ Json cost() {
   Json results = Json::array();
   for (const std::string_view name : trial_world_names()) {
     const World world = trial_world(name);
-    LidarModel lidar = hokuyo_utm30lx();
-    lidar.angle_min = -0.75 * std::numbers::pi;
+    const LidarModel lidar = hokuyo_utm30lx();
     Random random(4);
     const PointMap2::Pointer map = PointMap2::create(sample_map(world, random));
     Icp<2> icp;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <Eigen/LU>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <slamicp/evaluation/covariance_trial.hpp>
@@ -11,12 +10,6 @@
 
 namespace slamicp {
 namespace {
-
-LidarModel lidar_of_trials() {
-  LidarModel lidar = hokuyo_utm30lx();
-  lidar.angle_min = -0.75 * std::numbers::pi;
-  return lidar;
-}
 
 /// Ranges at a pose and how they change when the robot moves a little ahead and to the left.
 struct RangesAround {
@@ -51,7 +44,7 @@ Matrix<3, 3> least_covariance(const World& known, const World& world, const Pose
     const Point2 point = lidar.T_robot_laser * Point2(range * std::cos(angle), range * std::sin(angle));
     const Vector<2> normal = -slope.normalized();
     const double cosine = 1.0 / slope.norm();
-    const Eigen::Vector3d h(normal.x(), normal.y(), point.x() * normal.y() - point.y() * normal.x());
+    const Eigen::Vector3d h(normal.x(), normal.y(), cross(point, normal));
     information += h * h.transpose() / (range_noise * range_noise * cosine * cosine + map_noise * map_noise);
   }
   return information.inverse();
@@ -60,7 +53,7 @@ Matrix<3, 3> least_covariance(const World& known, const World& world, const Pose
 double CovarianceTrial::nees() const noexcept { return error.dot(Eigen::Matrix3d(told.covariance).inverse() * error); }
 
 CovarianceTrials::CovarianceTrials(std::string_view world_name, std::uint64_t seed)
-    : world_(trial_world(world_name)), lidar_(lidar_of_trials()), random_(seed) {
+    : world_(trial_world(world_name)), lidar_(hokuyo_utm30lx()), random_(seed) {
   map_ = PointMap2::create(sample_map(world_, random_));
   icp_.set_rays({lidar_.T_robot_laser.translation(), lidar_.angle_increment});
 }

@@ -6,6 +6,7 @@
 
 #include <slamicp/evaluation/jump_trial.hpp>
 #include <slamicp/evaluation/trial_world.hpp>
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/simulation/map_sampler.hpp>
 
 namespace slamicp {
@@ -23,20 +24,15 @@ Pose2 step_of(const World& world, const Pose2& truth, int scan) {
   return distance_to_walls(world, bumper) > 0.3 ? ahead : turn;
 }
 
-bool is_confident(TrackingState state) noexcept {
-  return state == TrackingState::tracking || state == TrackingState::degenerate;
-}
-
 }  // namespace
 
 bool is_right(const Pose2& pose, const Pose2& truth) noexcept {
   const PoseDistance off = distance(pose, truth);
-  return off.translation < 0.5 && off.rotation < 15.0 * std::numbers::pi / 180.0;
+  return off.translation < 0.5 && off.rotation < 15.0 * rad_per_deg;
 }
 
 JumpTrials::JumpTrials(std::string_view world_name, std::uint64_t seed, int furniture_gone)
     : world_(trial_world(world_name)), lidar_(hokuyo_utm30lx()), random_(seed) {
-  lidar_.angle_min = -0.75 * std::numbers::pi;
   map_ = PointMap2::create(sample_map(furnished(world_, furniture_gone, random_), random_));
 }
 
@@ -81,15 +77,15 @@ JumpOutcome JumpTrials::draw(double unmapped, int budget) {
     const Fix& fix = localizer.update(seen);
     const bool right = is_right(fix.pose, truth);
     if (watcher_) watcher_(fix, right);
-    confident = !right && is_confident(fix.quality.state) ? confident + 1 : 0;
+    confident = !right && !fix.quality.doubted() ? confident + 1 : 0;
     outcome.longest_confident = std::max(outcome.longest_confident, confident);
-    if (!outcome.noticed && k < scans_to_notice && (right || !is_confident(fix.quality.state))) {
+    if (!outcome.noticed && k < scans_to_notice && (right || fix.quality.doubted())) {
       outcome.noticed = true;
       outcome.right_again = right;
       outcome.scans_until = k + 1;
     }
     if (k + 1 == scans_to_notice && !right) outcome.alike = is_alike(fix.pose, truth);
-    outcome.recovered = right && is_confident(fix.quality.state);
+    outcome.recovered = right && !fix.quality.doubted();
     if (budget > 0) localizer.recover(budget);
     const Pose2 step = step_of(now, truth, k);
     truth = truth * step;

@@ -138,7 +138,7 @@ World furnished(World world, int count, Random& random) {
     box.heading = beside.theta;
     const double side = random.uniform(0.8, 2.0);
     box.centre = beside * Point2(0.0, random.uniform() < 0.5 ? side : -side);
-    for (const Segment& wall : sides(box)) world.walls.push_back(wall);
+    add_sides(world, box);
   }
   return world;
 }

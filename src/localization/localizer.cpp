@@ -46,10 +46,6 @@ double half_of(std::span<const LaserScan> scans) noexcept {
   return sum / static_cast<double>(scans.size());
 }
 
-bool is_doubted(TrackingState state) noexcept {
-  return state == TrackingState::suspect || state == TrackingState::lost;
-}
-
 /// How the scan's rays lie; those of joined scans count as the first one's.
 Rays rays_of(const LaserScan& scan) noexcept {
   Rays rays;
@@ -193,11 +189,11 @@ void Localizer::State::doubt() noexcept {
       look(points, {fix.scan, origins, fix.pose}, options.quality.rays, options.max_correspondence_distance, noise);
   const bool held = fix.match.stop != Stop::degenerate && fix.blind_direction.isZero();
   fix.quality = judge_of_pose.update(evidence, matched, held);
-  if (!is_doubted(fix.quality.state)) trusted = fix.pose;
+  if (!fix.quality.doubted()) trusted = fix.pose;
 }
 
 bool Localizer::State::recover(int budget) {
-  if (!is_doubted(fix.quality.state))
+  if (!fix.quality.doubted())
     search.reset();
   else if (!search && map && !fix.scan.in_robot.empty()) {
     search.emplace(map, fix.scan, origins.front(), trusted, options.icp(), options.search);

@@ -37,6 +37,8 @@ struct Quality {
   double awareness = 1.0;
   Evidence evidence;
 
+  bool doubted() const noexcept { return state == TrackingState::suspect || state == TrackingState::lost; }
+
   /// One line.
   std::string brief() const;
 };
