@@ -32,8 +32,6 @@ double share_of_explained(const std::array<Sector, sectors>& all) noexcept {
   return seen > 0 ? static_cast<double>(explained) / static_cast<double>(seen) : 0.0;
 }
 
-double logistic(double log_odds) noexcept { return 1.0 / (1.0 + std::exp(-log_odds)); }
-
 }  // namespace
 
 Evidence look(const IndexedPoints<2>& map, const PlacedScan& scan, int rays, double match_distance,
@@ -47,7 +45,7 @@ Evidence look(const IndexedPoints<2>& map, const PlacedScan& scan, int rays, dou
   std::array<Sector, sectors> directions{};
   int explained = 0, beside = 0, violations = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = (2 * k + 1) * size / (2 * count);
+    const std::size_t i = evenly_chosen(k, count, size);
     const std::size_t laser = scan.points.scans.empty() ? 0 : static_cast<std::size_t>(scan.points.scans[i]);
     const Point2& from = scan.origins[laser];
     const Point2& to = scan.points.in_robot[i];
@@ -77,6 +75,8 @@ double log_odds(const Evidence& evidence) noexcept {
   return -3.60 + 5.73 * fit - 11.81 * std::sqrt(evidence.violations) + 1.48 * evidence.spread;
 }
 
+double probability_of(double log_odds) noexcept { return 1.0 / (1.0 + std::exp(-log_odds)); }
+
 void Judge::forget() noexcept {
   log_odds_ = at_first;
   awareness_ = 1.0;
@@ -95,8 +95,8 @@ Quality Judge::update(const Evidence& evidence, bool matched, bool held) noexcep
 
   Quality quality;
   quality.state = next_state(held);
-  quality.probability = logistic(log_odds_);
-  quality.scan_probability = logistic(by_scan);
+  quality.probability = probability_of(log_odds_);
+  quality.scan_probability = probability_of(by_scan);
   quality.awareness = awareness_;
   quality.evidence = evidence;
   return quality;
@@ -104,7 +104,7 @@ Quality Judge::update(const Evidence& evidence, bool matched, bool held) noexcep
 
 TrackingState Judge::next_state(bool held) noexcept {
   const double enough = doubtful_ > 0 ? options_.trusted_above : options_.suspect_below;
-  doubtful_ = logistic(log_odds_) < enough ? doubtful_ + 1 : 0;
+  doubtful_ = probability_of(log_odds_) < enough ? doubtful_ + 1 : 0;
   if (doubtful_ > options_.lost_after) return TrackingState::lost;
   if (doubtful_ > 0) return TrackingState::suspect;
   return held ? TrackingState::tracking : TrackingState::degenerate;

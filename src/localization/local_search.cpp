@@ -33,7 +33,7 @@ PointCloud2 some_of(const PointCloud2& points, int count) {
   const std::size_t kept = std::min(points.size(), static_cast<std::size_t>(count));
   PointCloud2 some;
   some.reserve(kept);
-  for (std::size_t k = 0; k < kept; ++k) some.push_back(points[(2 * k + 1) * points.size() / (2 * kept)]);
+  for (std::size_t k = 0; k < kept; ++k) some.push_back(points[evenly_chosen(k, kept, points.size())]);
   return some;
 }
 
@@ -77,8 +77,6 @@ struct LocalSearch::State {
   std::size_t next_place = 0;
   int next_heading = 0;
   bool all_looked_at = false;
-
-  Outputs outputs{};
 
   bool done() const noexcept { return all_looked_at && best.empty(); }
   void look_at_next();
@@ -126,7 +124,7 @@ void LocalSearch::State::match_next() {
   constexpr int rays = 128;
   const Candidate candidate = best.back();
   best.pop_back();
-  const IcpResult2& result = icp.align(map->indexed(), scan.in_robot, candidate.pose, outputs);
+  const IcpResult2& result = icp.align(map->indexed(), scan.in_robot, candidate.pose);
   if (!result.usable() && result.stop != Stop::degenerate) return;
   const double noise = std::max(0.01, map->indexed().line_noise().across);
   const Evidence evidence = look(map->indexed(), {scan, {&origin, 1}, result.pose}, rays, match_distance, noise);
@@ -177,7 +175,7 @@ std::optional<FoundPlace> LocalSearch::found() const {
   const State& state = *state_;
   if (!state.done() || state.matched.empty()) return {};
   const auto best = std::min_element(state.matched.begin(), state.matched.end(), State::is_better);
-  FoundPlace found{best->pose, 1.0 / (1.0 + std::exp(-best->score)), true};
+  FoundPlace found{best->pose, probability_of(best->score), true};
   for (const State::Candidate& other : state.matched)
     if (!is_same_place(best->pose, other.pose, 0.5, 0.25) && other.score > best->score - state.options.lead)
       found.unique = false;

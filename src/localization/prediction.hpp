@@ -29,7 +29,7 @@ class Prediction {
   /// T_last_now, from the last pose to the scan's stamp.
   Pose2 motion_until(const LaserScan& scan) const noexcept {
     if (!has_last_) return {};
-    if (last_odometry_ && has_odometry(scan)) return last_odometry_->inverse() * *scan.T_odom_robot;
+    if (is_by_odometry(scan)) return last_odometry_->inverse() * *scan.T_odom_robot;
     return has_velocity_ ? interpolate(velocity_, share_of_last_interval(scan.stamp)) : Pose2{};
   }
 
