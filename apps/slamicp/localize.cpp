@@ -127,12 +127,15 @@ class Tables {
 Json summary(const LocalizeWords& words, const RunRecord& record) {
   Json stops = Json::object();
   for (const auto& [stop, count] : record.stops) stops[to_string(stop)] = count;
+  Json states = Json::object();
+  for (const auto& [state, count] : record.states) states[to_string(state)] = count;
   return {
       {"verb", "localize"},
       {"log", words.log},
       {"map", words.map},
       {"scans", record.trajectory.size()},
       {"stops", stops},
+      {"states", states},
       {"iterations_mean", record.mean(&ScanRecord::iterations)},
       {"points_mean", record.mean(&ScanRecord::points)},
       {"inliers_mean", record.mean(&ScanRecord::inliers)},
@@ -184,7 +187,6 @@ void run(const LocalizeWords& words) {
   localizer.set_pose(record.initial_pose);
   constexpr int places_a_scan = 2000;
   int recoveries = 0;
-  std::map<std::string, std::size_t> states;
   {
     Progress progress("localizing", log.size());
     for (std::size_t number = 0; number < log.size(); ++number) {
@@ -194,7 +196,6 @@ void run(const LocalizeWords& words) {
       tables.add(number, fix, log[number], time_us);
       record.add(fix, time_us);
       if (words.calibrate_odometry) wheels.add(log[number], fix);
-      ++states[to_string(fix.quality.state)];
       // What a blind direction was guessed for must not get into the map.
       if (!words.update_map.empty() && fix.usable() && fix.carried_by == Carrier::scan)
         localizer.set_map(update_with_outliers<2>(fix.map, fix.match));
@@ -209,7 +210,6 @@ void run(const LocalizeWords& words) {
   if (!words.update_map.empty()) save_map(words.update_map, *localizer.map());
   if (!words.report.empty()) write_report(words.report, record);
   Json results = summary(words, record);
-  results["states"] = states;
   if (words.recover) results["recoveries"] = recoveries;
   const Talk talk(words.json);
   talk(record.brief());

@@ -65,6 +65,7 @@ constexpr const char* report_style =
 void RunRecord::add(const Fix& fix, double time_us) {
   trajectory.push_back({fix.stamp, fix.pose});
   ++stops[fix.stop()];
+  ++states[fix.quality.state];
   scans.push_back({static_cast<double>(fix.match.iterations), static_cast<double>(fix.scan.in_robot.size()),
                    static_cast<double>(fix.match.inliers), static_cast<double>(fix.outliers().size()),
                    fix.match.mean_inlier_distance, time_us});

@@ -30,6 +30,7 @@ struct RunRecord {
   Trajectory trajectory;
   std::vector<ScanRecord> scans;
   std::map<Stop, std::size_t> stops;
+  std::map<TrackingState, std::size_t> states;
   PointCloud2 outliers;  // of all scans, in the map
 
   /// The scan with the most outliers: the one to show.
