@@ -8,7 +8,7 @@
 
 #ifdef SLAMICP_WITH_YAML
 
-#include <yaml-cpp/yaml.h>
+#include "io/yaml_fields.hpp"
 
 namespace slamicp {
 namespace {
@@ -38,8 +38,7 @@ class YamlReader {
  private:
   [[noreturn]] void fail(const std::string& key, const std::string& what, const std::string& mend) const {
     const YAML::Node node = root_[key];
-    const bool has_line = node.IsDefined() && !node.Mark().is_null();
-    throw Error(what, has_line ? name_ + ':' + std::to_string(node.Mark().line + 1) : name_, mend);
+    throw Error(what, node.IsDefined() ? place_of(node.Mark(), name_) : name_, mend);
   }
 
   YAML::Node node(const std::string& key) const {
@@ -121,9 +120,7 @@ OccupancyMapHeader parse_occupancy_yaml(std::string_view text, const std::string
                   "make a map of it: slamicp simulate --world " + name + " --out LOG --map-out MAP");
     return YamlReader(root, name).read();
   } catch (const YAML::Exception& problem) {
-    const bool has_line = !problem.mark.is_null();
-    throw Error("is no YAML: " + problem.msg, has_line ? name + ':' + std::to_string(problem.mark.line + 1) : name,
-                mend);
+    throw Error("is no YAML: " + problem.msg, place_of(problem.mark, name), mend);
   }
 }
 

@@ -191,8 +191,7 @@ WorldYaml parse_world_yaml(std::string_view text, const std::string& name) {
     if (!is_world) throw Error("is no world", name, mend);
     return WorldReader(name).read(root);
   } catch (const YAML::Exception& problem) {
-    const bool has_line = !problem.mark.is_null();
-    throw Error("is no YAML: " + problem.msg, has_line ? name + ':' + std::to_string(problem.mark.line + 1) : name,
+    throw Error("is no YAML: " + problem.msg, place_of(problem.mark, name),
                 "mend the line, or the one before; " + mend);
   }
 }

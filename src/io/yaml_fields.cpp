@@ -41,6 +41,10 @@ std::string range_said(const YamlRange& range) {
 
 }  // namespace
 
+std::string place_of(const YAML::Mark& mark, const std::string& file) {
+  return mark.is_null() ? file : file + ':' + std::to_string(mark.line + 1);
+}
+
 YamlFields::YamlFields(const YAML::Node& node, std::string_view what, std::span<const std::string_view> known,
                        const std::string& file)
     : node_(node), what_(what), file_(file) {
@@ -59,10 +63,7 @@ void YamlFields::fail(const std::string& what, const std::string& where, const s
   throw Error(what, where, mend);
 }
 
-std::string YamlFields::where(const YAML::Node& node) const {
-  const YAML::Mark mark = node.Mark();
-  return mark.is_null() ? file_ : file_ + ':' + std::to_string(mark.line + 1);
-}
+std::string YamlFields::where(const YAML::Node& node) const { return place_of(node.Mark(), file_); }
 
 std::optional<YAML::Node> YamlFields::find(std::string_view key) const {
   for (const auto& pair : node_)

@@ -11,6 +11,9 @@
 
 namespace slamicp {
 
+/// FILE:LINE, or the file alone where the mark knows no line.
+std::string place_of(const YAML::Mark& mark, const std::string& file);
+
 /// What a number may be.
 struct YamlRange {
   double lowest;
