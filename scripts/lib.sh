@@ -90,12 +90,12 @@ need() {
   "${apt[@]}" install -y --no-install-recommends $missing </dev/null >/dev/null
 }
 
-# configure_release [CMAKE_OPTION...]: the first time without tests, which need more packages; scripts/test turns
-# them on, and then they stay on.
+# configure_release [CMAKE_OPTION...]: the first time without tests, which need more packages, and several sources as
+# one, which takes half the time; scripts/test chooses anew, and then it stays so.
 # shellcheck disable=SC2120
 configure_release() {
   local first=()
-  [[ -f build/release/CMakeCache.txt ]] || first=(-DSLAMICP_BUILD_TESTS=OFF)
+  [[ -f build/release/CMakeCache.txt ]] || first=(-DSLAMICP_BUILD_TESTS=OFF -DCMAKE_UNITY_BUILD=ON)
   configure release "${first[@]}" "$@"
 }
 
