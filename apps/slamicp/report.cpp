@@ -8,6 +8,7 @@
 #include <slamicp/version.hpp>
 
 #include "output.hpp"
+#include "report_states.hpp"
 
 namespace slamicp::command {
 namespace {
@@ -58,7 +59,8 @@ constexpr const char* report_style =
     "th{text-align:left;font-weight:500;color:#555;padding:.15em 1.5em .15em 0}td{font-variant-numeric:tabular-nums}"
     "svg{max-width:100%;height:auto;display:block}.t{font:600 13px sans-serif}.n{font:11px "
     "sans-serif;text-anchor:end;fill:#666}"
-    ".a{stroke:#bbb}";
+    ".a{stroke:#bbb}.states td,.states th{padding-right:1.5em;text-align:right}"
+    ".states td:first-child,.states th:first-child{text-align:left}";
 
 }  // namespace
 
@@ -68,7 +70,8 @@ void RunRecord::add(const Fix& fix, double time_us) {
   ++states[fix.quality.state];
   scans.push_back({static_cast<double>(fix.match.iterations), static_cast<double>(fix.scan.in_robot.size()),
                    static_cast<double>(fix.match.inliers), static_cast<double>(fix.outliers().size()),
-                   fix.match.mean_inlier_distance, time_us});
+                   fix.match.mean_inlier_distance, time_us, fix.quality.state, fix.quality.probability,
+                   fix.covariance_in_map(), fix.blind_direction});
   outliers.insert(outliers.end(), fix.outliers_in_map().begin(), fix.outliers_in_map().end());
   if (scans.size() == 1 || fix.outliers().size() > shown.outliers.size()) show(fix);
 }
@@ -105,6 +108,21 @@ double RunRecord::quantile(double ScanRecord::*field, double share) const {
   return values[std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())))];
 }
 
+bool RunRecord::has_times() const {
+  return trajectory.size() > 1 && trajectory.back().stamp > trajectory.front().stamp &&
+         std::is_sorted(trajectory.begin(), trajectory.end(),
+                        [](const StampedPose& a, const StampedPose& b) { return a.stamp < b.stamp; });
+}
+
+std::vector<double> RunRecord::times() const {
+  std::vector<double> times;
+  times.reserve(trajectory.size());
+  const bool rise = has_times();
+  for (const StampedPose& stamped : trajectory)
+    times.push_back(rise ? stamped.stamp - trajectory.front().stamp : static_cast<double>(times.size()));
+  return times;
+}
+
 std::string RunRecord::brief() const {
   std::string line = format("%zu scans:", trajectory.size());
   for (const auto& [stop, count] : stops) line += format(" %zu %s,", count, to_string(stop));
@@ -113,12 +131,12 @@ std::string RunRecord::brief() const {
                        1e3 * mean(&ScanRecord::mean_inlier_distance), quantile(&ScanRecord::time_us, 0.5));
 }
 
-Picture draw_run(const RunRecord& record, const std::string& title) {
+Picture draw_run(const RunRecord& record, const std::string& title, std::optional<Bounds<2>> bounds) {
   const std::string scan = "scan " + std::to_string(record.shown.scan);
-  Picture picture({.title = title});
+  Picture picture({.title = title, .bounds = bounds});
   picture.points(record.map->points(), colours::map, 0.9, "map");
-  picture.path(record.trajectory, colours::path, 1.3, "path");
   picture.points(record.outliers, Colour{214, 39, 40, 0.4}, 0.9, "outliers of the run");
+  draw_states(picture, record);
   picture.points(record.shown.inliers, colours::inlier, 1.4, scan + ": inliers");
   picture.points(record.shown.outliers, colours::outlier, 2.0, scan + ": outliers");
   picture.robot(record.shown.pose, 0.25, colours::robot, "robot");
@@ -146,6 +164,9 @@ void write_report(const std::string& file, const RunRecord& record) {
   page += row("ends at", to_string(record.trajectory.back().pose));
   page += "</table>\n<h2>Where it went, and what the map did not know</h2>\n";
   page += inline_svg(draw_run(record, "").svg());
+  page += "<h2>How sure it was</h2>\n";
+  if (const auto closer = worth_a_closer_look(record)) page += inline_svg(draw_run(record, "", closer).svg());
+  page += table_of_states(record) + charts_of_states(record);
   page += "<h2>Scan by scan</h2>\n";
   page += chart(record, &ScanRecord::outliers, "outliers", 1.0, "#d62728");
   page += chart(record, &ScanRecord::mean_inlier_distance, "mean inlier distance [mm]", 1e3, "#22a054");

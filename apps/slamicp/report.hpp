@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ struct ScanRecord {
   double outliers = 0.0;
   double mean_inlier_distance = 0.0;  // [m]
   double time_us = 0.0;
+  TrackingState state = TrackingState::tracking;
+  double probability = 1.0;
+  Matrix<3, 3> covariance = Matrix<3, 3>::Zero();  // along the map's axes
+  Vector<2> blind_direction = Vector<2>::Zero();   // in the map; zero where there is none
 };
 
 /// What a report tells of a run.
@@ -46,6 +51,9 @@ struct RunRecord {
   double mean(double ScanRecord::*field) const;
   double largest(double ScanRecord::*field) const;
   double quantile(double ScanRecord::*field, double share) const;
+  /// Since the first scan [s], where stamps rise; else scans.
+  std::vector<double> times() const;
+  bool has_times() const;
   /// One line for people.
   std::string brief() const;
 
@@ -56,7 +64,9 @@ struct RunRecord {
 /// One self-contained page: figures, the picture of the run, charts along the scans.
 void write_report(const std::string& file, const RunRecord& record);
 
-/// The map, the run's outliers, the scan with the most of them, and the path.
-Picture draw_run(const RunRecord& record, const std::string& title);
+/// The map, the run's outliers, the scan with the most of them, and the path with what it thinks of itself: states, 95
+/// % ellipses, blind directions.
+/// @param bounds  what to show [m]; default: all
+Picture draw_run(const RunRecord& record, const std::string& title, std::optional<Bounds<2>> bounds = {});
 
 }  // namespace slamicp::command

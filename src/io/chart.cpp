@@ -27,6 +27,11 @@ Chart& Chart::dots(std::span<const Point2> points, Colour colour, double radius_
   return *this;
 }
 
+Chart& Chart::band(double from, double to, Colour colour) {
+  bands_.push_back({from, to, colour});
+  return *this;
+}
+
 Chart& Chart::mark(double x, std::string text) {
   marks_.push_back({x, std::move(text)});
   return *this;

@@ -159,6 +159,17 @@ void draw_series(const Axes& axes, const Chart::Series& series, std::vector<Comm
   commands.push_back({std::move(strokes), series.colour, true});
 }
 
+void draw_bands(const Axes& axes, const Chart& chart, std::vector<Command>& commands) {
+  for (const Chart::Band& band : chart.bands()) {
+    if (!std::isfinite(band.from) || !std::isfinite(band.to)) continue;
+    const double from = std::clamp(axes.x(band.from), axes.plot.left, axes.plot.right());
+    const double to = std::clamp(axes.x(band.to), axes.plot.left, axes.plot.right());
+    const double right = std::max(to, from + 2.0);  // a single scan is seen too
+    const double bottom = axes.plot.bottom(), top = axes.plot.top;
+    commands.push_back({Area{{{from, bottom}, {from, top}, {right, top}, {right, bottom}}}, band.colour, true});
+  }
+}
+
 void draw_marks(const Axes& axes, const Chart& chart, std::vector<Command>& commands) {
   for (const Chart::Mark& mark : chart.marks()) {
     const double at = axes.x(mark.x);
@@ -185,6 +196,7 @@ Drawing lay_out(const Chart& chart) {
   drawing.height = axes.plot.bottom() + bottom_margin;
   drawing.plot = axes.plot;
 
+  draw_bands(axes, chart, drawing.commands);
   Strokes grid{{}, 1.0};
   draw_x_ticks(axes, options, grid, drawing.commands);
   draw_y_ticks(axes, grid, drawing.commands);

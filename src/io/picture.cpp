@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <slamicp/error.hpp>
@@ -7,6 +10,25 @@
 #include "io/drawing.hpp"
 
 namespace slamicp {
+namespace {
+
+/// A closed line; none where it is no covariance.
+std::vector<Point2> rim_of(const Picture::Ellipse& ellipse, double magnified) {
+  constexpr int corners = 36;
+  const double sigmas = std::sqrt(5.991465);  // 95 % of chi-squared with two degrees of freedom
+  if (!ellipse.covariance.allFinite() || !is_finite<2>(ellipse.centre)) return {};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(Eigen::Matrix2d(ellipse.covariance));
+  if (!(eigen.eigenvalues()[0] >= 0.0)) return {};
+  const Eigen::Matrix2d axes = magnified * sigmas * eigen.eigenvectors() * eigen.eigenvalues().cwiseSqrt().asDiagonal();
+  std::vector<Point2> rim;
+  for (int k = 0; k <= corners; ++k) {
+    const double angle = 2.0 * std::numbers::pi * (k % corners) / corners;
+    rim.emplace_back(ellipse.centre + axes * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  return rim;
+}
+
+}  // namespace
 
 std::string PictureOptions::problem() const {
   if (!(width_px >= 300.0 && width_px <= 4000.0)) return "width_px is not in 300 .. 4000";
@@ -51,6 +73,14 @@ Picture& Picture::segments(std::span<const Segment> segments, Colour colour, dou
 
 Picture& Picture::circle(const Point2& centre, double radius, Colour colour, double width_px, std::string legend) {
   return add({Circle{centre, radius, width_px}, colour, std::move(legend)});
+}
+
+Picture& Picture::ellipses(std::span<const Ellipse> ellipses, double magnified, Colour colour, double width_px,
+                           std::string legend) {
+  Lines lines{{}, width_px};
+  for (const Ellipse& ellipse : ellipses)
+    if (std::vector<Point2> rim = rim_of(ellipse, magnified); !rim.empty()) lines.lines.push_back(std::move(rim));
+  return add({std::move(lines), colour, std::move(legend)});
 }
 
 Picture& Picture::robot(const Pose2& pose, double radius, Colour colour, std::string legend) {

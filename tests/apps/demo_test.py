@@ -20,6 +20,9 @@ class Demo(CommandTest):
         for name in ("map.svg", "run.svg", "report.html", "map.pcd", "run.tum", "truth.tum"):
             self.assertIn(name, files)
             self.assertGreater((self.folder / "demo" / name).stat().st_size, 1000)
+        for name in ("run.svg", "report.html"):
+            self.assertIn(">path, tracking (", self.read(f"demo/{name}"))
+            self.assertRegex(self.read(f"demo/{name}"), ">95 % ellipses, x [0-9]+<")
 
 
 if __name__ == "__main__":

@@ -38,6 +38,17 @@ TEST(Chart, NamesStandWhereXCounts) {
   EXPECT_EQ(count(svg, ">0<"), 0U);  // no zero on a scale of powers of ten
 }
 
+TEST(Chart, BandsLieBehindAndNeverVanish) {
+  Chart chart = two_speeds();
+  const Colour band{1, 2, 3, 0.5};
+  chart.band(1.0, 2.0, band).band(3.0, 3.0, band).band(3.0, std::numeric_limits<double>::infinity(), band);
+  EXPECT_EQ(chart.bands().size(), 3U);
+  const std::string svg = chart.svg();
+  EXPECT_EQ(count(svg, "#010203"), 2U);  // the endless one has no place
+  EXPECT_LT(svg.find("#010203"), svg.find("#d62728"));
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
 TEST(Chart, AnEmptyOneIsStillAPicture) {
   EXPECT_NE(Chart().svg().find("<svg"), std::string::npos);
   EXPECT_NE(Chart({.logarithmic = true}).svg().find("<svg"), std::string::npos);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <Eigen/LU>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -55,6 +56,47 @@ TEST(Picture, HoldsWhatWasAdded) {
   EXPECT_GE(occurrences(svg, "h0"), 100U);
   EXPECT_EQ(occurrences(svg, "<g"), occurrences(svg, "</g>"));
   EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+/// Of the first layer, which is lines.
+const std::vector<std::vector<Point2>>& lines_of(const Picture& picture) {
+  return std::get<Picture::Lines>(picture.layers().front().shape).lines;
+}
+
+TEST(Picture, EllipsesHold95Percent) {
+  const Picture::Ellipse upright{{1.0, 2.0}, Eigen::Vector2d(0.01, 0.0004).asDiagonal()};
+  const double s = std::sqrt(0.5);
+  const Matrix<2, 2> turn = (Eigen::Matrix2d() << s, -s, s, s).finished();
+  const Picture::Ellipse turned{{0.0, 0.0}, turn * upright.covariance * turn.transpose()};
+  Picture picture;
+  picture.ellipses(std::vector<Picture::Ellipse>{upright, turned}, 10.0, colours::ellipse, 1.0, "x 10");
+  ASSERT_EQ(lines_of(picture).size(), 2U);
+  const std::vector<Point2>& rim = lines_of(picture)[0];
+  EXPECT_EQ(rim.front(), rim.back());
+  double widest = 0.0, highest = 0.0;
+  for (const Point2& point : rim) {
+    widest = std::max(widest, point.x() - 1.0);
+    highest = std::max(highest, point.y() - 2.0);
+    // Each corner is where chi-squared with two degrees of freedom has 95 %.
+    const Eigen::Vector2d off = (point - upright.centre) / 10.0;
+    EXPECT_NEAR(off.dot(Eigen::Matrix2d(upright.covariance).inverse() * off), 5.991465, 1e-6);
+  }
+  EXPECT_NEAR(widest, 2.4477, 0.001);
+  EXPECT_NEAR(highest, 0.48955, 0.001);
+  for (std::size_t k = 0; k < rim.size(); ++k) {
+    const Point2 point = lines_of(picture)[1][k];
+    EXPECT_NEAR(point.dot(Eigen::Matrix2d(turned.covariance).inverse() * point), 599.1465, 1e-4);
+  }
+}
+
+TEST(Picture, WhatIsNoCovarianceIsNoEllipse) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Picture::Ellipse> none = {{{0.0, 0.0}, Eigen::Vector2d(-1.0, 1.0).asDiagonal()},
+                                              {{0.0, 0.0}, Eigen::Vector2d(nan, 1.0).asDiagonal()},
+                                              {{nan, 0.0}, Eigen::Vector2d(1.0, 1.0).asDiagonal()}};
+  Picture picture;
+  picture.ellipses(none, 1.0, colours::ellipse);
+  EXPECT_TRUE(lines_of(picture).empty());
 }
 
 TEST(Picture, YPointsUp) {

@@ -38,6 +38,9 @@ class Chart {
 
   Chart& dots(std::span<const Point2> points, Colour colour, double radius_px = 4.0, std::string legend = {});
 
+  /// A stretch of x, coloured from bottom to top behind all else.
+  Chart& band(double from, double to, Colour colour);
+
   /// An upright line at x with a few letters on top.
   Chart& mark(double x, std::string text);
 
@@ -53,18 +56,25 @@ class Chart {
     bool is_line;
     std::string legend;
   };
+  struct Band {
+    double from;
+    double to;
+    Colour colour;
+  };
   struct Mark {
     double x;
     std::string text;
   };
 
   const std::vector<Series>& series() const noexcept { return series_; }
+  const std::vector<Band>& bands() const noexcept { return bands_; }
   const std::vector<Mark>& marks() const noexcept { return marks_; }
   const ChartOptions& options() const noexcept { return options_; }
 
  private:
   ChartOptions options_;
   std::vector<Series> series_;
+  std::vector<Band> bands_;
   std::vector<Mark> marks_;
 };
 

@@ -30,6 +30,8 @@ inline constexpr Colour path{70, 78, 90};
 inline constexpr Colour truth{150, 156, 166};
 inline constexpr Colour robot{240, 145, 30};
 inline constexpr Colour obstacle{148, 62, 165};
+inline constexpr Colour ellipse{0, 130, 140};
+inline constexpr Colour blind{200, 0, 120};
 }  // namespace colours
 
 struct PictureOptions {
@@ -68,6 +70,16 @@ class Picture {
 
   /// @param radius  [m]
   Picture& circle(const Point2& centre, double radius, Colour colour, double width_px = 1.5, std::string legend = {});
+
+  struct Ellipse {
+    Point2 centre;
+    Matrix<2, 2> covariance;  ///< of the position [m^2]
+  };
+  /// Where positions are with 95 %: half axes of 2.45 standard deviations (chi-squared with two degrees of freedom).
+  /// What is no covariance is not drawn.
+  /// @param magnified  so many times as large, > 0; to be named in the legend
+  Picture& ellipses(std::span<const Ellipse> ellipses, double magnified, Colour colour, double width_px = 1.2,
+                    std::string legend = {});
 
   /// A robot as a disc with a wedge that shows its heading. @param radius  [m]; never drawn smaller than 5 px
   Picture& robot(const Pose2& pose, double radius, Colour colour = colours::robot, std::string legend = {});
