@@ -76,7 +76,9 @@ Mapper& Mapper::operator=(Mapper&&) noexcept = default;
 
 PointMap2::Pointer Mapper::refined_map() const {
   if (!map() || options_.update == MapUpdate::all_points || options_.forget_distance > 0.0) return map();
-  return PointMap2::create(refinement_->refined(*map()), options_.surfaces);
+  SurfaceOptions finished = options_.surfaces;
+  finished.scatter = SurfaceOptions{}.scatter;  // now the map is dense where the robot has been
+  return PointMap2::create(refinement_->refined(*map()), finished);
 }
 
 const Fix& Mapper::add(const LaserScan& scan) {

@@ -20,9 +20,9 @@ constexpr std::size_t fewest_points = D + 1;
 /// The solver's gate: wide while the pose is far off, then down to where only the wall itself is left.
 class Gate {
  public:
-  /// @param unsure  how far off the guess may well be [m]
-  Gate(const IcpOptions& options, double map_spacing, double unsure) noexcept
-      : gate_(std::max(options.max_correspondence_distance, std::min(unsure, widest))),
+  /// @param first  where it starts [m]
+  Gate(const IcpOptions& options, double map_spacing, double first) noexcept
+      : gate_(first),
         final_(options.final_gate > 0.0
                    ? options.final_gate
                    : std::min(options.max_correspondence_distance, std::max(smallest, spacings * map_spacing))) {}
@@ -40,7 +40,6 @@ class Gate {
   static constexpr double smallest = 0.05;  // [m], the noise of a lidar and a wall as thick as maps have them
   static constexpr double spacings = 2.5;   // of the map's points, so that a thin map is not torn from the scan
   static constexpr double shrinkage = 0.5;
-  static constexpr double widest = 1.0;  // [m]; nearest points farther off say nothing
 
   double gate_;
   double final_;
@@ -54,9 +53,41 @@ double three_sigma(const PosePrior& prior) noexcept {
   return std::isfinite(most) ? 3.0 * std::sqrt(std::max(most, 0.0)) : 0.0;
 }
 
+/// Where the solver's gate starts [m]: as far off as the guess may well be.
+double first_gate(const IcpOptions& options, const PosePrior& prior) noexcept {
+  constexpr double widest = 1.0;  // [m]; nearest points farther off say nothing
+  if (prior.first_gate > 0.0) return prior.first_gate;
+  return std::max(options.max_correspondence_distance, std::min(three_sigma(prior), widest));
+}
+
+/// Squared distance between a pose that its pairs have found and what the prior says, in their common noise.
+double surprise(const Uncertainty& match, const PosePrior& prior, const Pose2& pose) noexcept {
+  const Eigen::Matrix3d common =
+      Eigen::Matrix3d(match.covariance) + Eigen::Matrix3d(Eigen::Matrix3d(prior.information).inverse());
+  const Eigen::Vector3d off = (pose.inverse() * prior.mean).log();
+  const double squared = off.dot(common.inverse() * off);
+  return std::isfinite(squared) ? std::max(squared, 0.0) : 0.0;
+}
+
+/// Pairs that contradict the prior and each other as well, or are but a part of the scan: they are the ones to doubt,
+/// by as much as they contradict.
+/// @param share  of the scan's points that have a pair
+/// @returns      true if the pairs were doubted
+bool doubt_contradiction(double share, Uncertainty& match) noexcept {
+  constexpr double much = 3.0;  // pull, of what noise explains
+  constexpr double most = 0.5;
+  if (!(match.surprise > Uncertainty::credible) || (match.misfit < much && share > most)) return false;
+  const double trust = Uncertainty::credible / match.surprise;
+  match.information *= trust;
+  match.covariance /= trust;
+  match.systematic /= trust;
+  match.surprise = Uncertainty::credible;
+  return true;
+}
+
 /// How the prior moves a pose that its pairs have found.
 Pose2::Tangent motion_by_prior(const Uncertainty& match, const PosePrior& prior, const Pose2& pose) noexcept {
-  const Eigen::Matrix3d by_prior = prior.information;
+  const Eigen::Matrix3d by_prior = match.trust_in_prior() * prior.information;
   const Eigen::Matrix3d all = Eigen::Matrix3d(match.information) + by_prior;
   return all.inverse() * (by_prior * (pose.inverse() * prior.mean).log());
 }
@@ -167,7 +198,7 @@ struct Icp<D>::State {
   void forget() noexcept;
   void make_room(std::size_t map_points, const Outputs& wanted);
   void find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess, const NoiseModel* noise,
-                 bool has_prior, double unsure);
+                 bool has_prior, double widest_gate);
   void judge(const IndexedPoints<D>& map, PointView<D> scan, const NoiseModel& noise, const PosePrior& prior,
              const Pose<D>& guess);
   void hand_out(const IndexedPoints<D>& map, PointView<D> scan, const Outputs& wanted);
@@ -232,13 +263,13 @@ std::size_t Icp<D>::State::searches() const noexcept {
 
 template <int D>
 void Icp<D>::State::find_pose(const IndexedPoints<D>& map, PointView<D> scan, const Pose<D>& guess,
-                              const NoiseModel* noise, bool has_prior, double unsure) {
+                              const NoiseModel* noise, bool has_prior, double widest_gate) {
   result.pose = guess;
   if (begin(map, scan) < fewest_points<D>) {
     result.stop = Stop::too_few_points;
     return;
   }
-  Gate gate(options, map.spacing(), unsure);
+  Gate gate(options, map.spacing(), widest_gate);
   Convergence<D> convergence(options, guess);
   Stride stride(D == 2 && options.coarse_to_fine ? scan.size() : 0);
   constexpr double nearly_there = 3e-3;  // [m]: after such a step the next one is mostly the last
@@ -297,7 +328,10 @@ void Icp<D>::State::judge(const IndexedPoints<D>& map, PointView<D> scan, const 
     };
     if (!result.uncertainty.known) result.uncertainty = step_from(result.pose, nullptr).uncertainty;
     if (!result.uncertainty.known || !prior.given()) return;
+    const double share = static_cast<double>(result.pairs) / static_cast<double>(scan.size());
     if (!result.uncertainty.blind) {
+      result.uncertainty.surprise = surprise(result.uncertainty, prior, result.pose);
+      doubt_contradiction(share, result.uncertainty);
       result.pose = result.pose * Pose2::exp(motion_by_prior(result.uncertainty, prior, result.pose));
       return;
     }
@@ -311,6 +345,9 @@ void Icp<D>::State::judge(const IndexedPoints<D>& map, PointView<D> scan, const 
       ++result.iterations;
       convergence.step_to(result.pose);
     }
+    result.uncertainty.surprise = surprise(result.uncertainty, prior, result.pose);
+    if (doubt_contradiction(share, result.uncertainty))
+      result.pose = result.pose * Pose2::exp(motion_by_prior(result.uncertainty, prior, result.pose));
     result.stop = result.uncertainty.blind ? Stop::degenerate : Stop::converged;
   }
 }
@@ -417,7 +454,7 @@ const IcpResult<D>& Icp<D>::align(const IndexedPoints<D>& map, PointView<D> scan
   const std::optional<NoiseModel> noise = state_->noise_model(map, wanted.covariance || prior.given());
   // Angles leave the library in (-pi, pi], the guess's too.
   const Pose<D> start = guess * Pose<D>{};
-  state_->find_pose(map, scan, start, noise ? &*noise : nullptr, prior.given(), three_sigma(prior));
+  state_->find_pose(map, scan, start, noise ? &*noise : nullptr, prior.given(), first_gate(state_->options, prior));
   state_->result.searches = state_->searches();
   if (noise) state_->judge(map, scan, *noise, prior, start);
   state_->hand_out(map, scan, wanted);
@@ -453,7 +490,7 @@ template <int D>
 IcpResult<D> align(const PointCloud<D>& source, const PointCloud<D>& target, const Pose<D>& guess,
                    const IcpOptions& options, const Outputs& wanted) {
   Icp<D> icp(options);
-  SurfaceOptions surfaces;
+  SurfaceOptions surfaces = SurfaceOptions::sparse();
   if (options.method == Method::point_to_point) surfaces.neighbours = 0;
   if constexpr (D == 2)
     return icp.align(IndexedPoints<D>(target, surfaces, {.eager = false}), source, guess, wanted);  // one match only

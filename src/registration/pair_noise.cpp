@@ -169,12 +169,13 @@ void add_noise(const NoiseModel& model, const Point2& in_robot, const Vector<2>&
   sums.by_range += cosine2 * square;
   sums.by_map += shared * square;
   sums.pull(weight * residual * jacobian);
-  sums.weights += weight;
-  sums.moment += weight * in_robot;
-  sums.squared_ranges += weight * in_robot.squaredNorm();
+  const double counted = weight * normal.squaredNorm();
+  sums.weights += counted;
+  sums.moment += counted * in_robot;
+  sums.squared_ranges += counted * in_robot.squaredNorm();
   sums.squared_residuals += weight * residual * residual;
   sums.squared_cosines += weight * cosine2;
-  sums.sharing += weight * weight * shared;
+  sums.sharing += counted * counted * shared;
 }
 
 Assessment assess(const Matrix3d& information, const Vector3d& gradient, const NoiseSums& sums, const NoiseModel& model,

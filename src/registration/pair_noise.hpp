@@ -7,17 +7,18 @@
 namespace slamicp {
 
 /// Sums over the pairs of a match to lines, for its covariance; w a pair's weight, r its residual, j the derivative of
-/// its distance by the unknowns (x, y, turn) as seen from the robot, p its scan point in the robot's frame.
+/// its distance by the unknowns (x, y, turn) as seen from the robot, both times the trust in its line, v = w trust^2, p
+/// its scan point in the robot's frame.
 struct NoiseSums {
   Eigen::Matrix3d by_range = Eigen::Matrix3d::Zero();  // w^2 cos^2(incidence) j j^T
   Eigen::Matrix3d by_map = Eigen::Matrix3d::Zero();    // w^2 n j j^T, n the rays that share a line
   Eigen::Matrix3d together = Eigen::Matrix3d::Zero();  // s s^T, s = sum w r j over neighbouring pairs
-  double weights = 0.0;                                // w
-  Point2 moment = Point2::Zero();                      // w p
-  double squared_ranges = 0.0;                         // w p^2
+  double weights = 0.0;                                // v
+  Point2 moment = Point2::Zero();                      // v p
+  double squared_ranges = 0.0;                         // v p^2
   double squared_residuals = 0.0;                      // w r^2
   double squared_cosines = 0.0;                        // w cos^2(incidence)
-  double sharing = 0.0;                                // w^2 n
+  double sharing = 0.0;                                // v^2 n
 
   /// Adds a pair's w r j to `together`: in groups of 16 with what each has in common with the next (Newey, West 1987).
   void pull(const Eigen::Vector3d& pull) noexcept;
@@ -43,7 +44,8 @@ struct NoiseModel {
   double offset_variance() const noexcept { return line.across * line.across / line.points; }
 };
 
-/// Adds one pair. @param jacobian  j  @param on_ray  p from where the rays start  @param normal  in the robot's frame
+/// Adds one pair. @param jacobian  j  @param on_ray  p from where the rays start  @param normal  in the robot's frame,
+/// as long as the line is trusted
 void add_noise(const NoiseModel& model, const Point2& in_robot, const Vector<2>& normal, const Vector<3>& jacobian,
                double residual, double weight, NoiseSums& sums) noexcept;
 

@@ -106,10 +106,10 @@ template <int D>
 void NormalEquations<D>::add(const StepInput<D>& input, const Point<D>& in_robot, const Point<D>& in_map,
                              const Surface<D>& surface, const Matrix<D, D>& into_robot) noexcept {
   if (!surface.valid()) return;
-  const double residual = surface.normal.dot(surface.centroid - in_map);
+  const double residual = surface.trust * surface.normal.dot(surface.centroid - in_map);
   const double weight = kernel_weight(input.kernel, residual, input.kernel_scale);
   if (weight == 0.0) return;  // holds nothing, so it is no pair
-  const Vector<D> normal = into_robot * surface.normal;
+  const Vector<D> normal = surface.trust * (into_robot * surface.normal);
   typename Pose<D>::Tangent jacobian;
   jacobian << normal, turn_jacobian(in_robot, normal);
   information += weight * jacobian * jacobian.transpose();

@@ -30,7 +30,10 @@ bool is_beaten(const CellPoint& p, const CellPoint& q, double cx, double cy, dou
 }  // namespace
 
 CellPoint cell_point(const Point2& place, int number, const Line& line) noexcept {
-  const auto whole = [](float normal) { return static_cast<std::int16_t>(std::lround(normal * line_scale)); };
+  // A normal that is shorter by what the line is trusted makes residuals that count so much less.
+  const auto whole = [&](float normal) {
+    return static_cast<std::int16_t>(std::lround(line.trust * normal * line_scale));
+  };
   CellLine stored{whole(line.normal_x), whole(line.normal_y), 0.0F, number};
   // The offset is of the normal as rounded, so that the line goes through the same place.
   const double nx = stored.normal_x / static_cast<double>(line_scale);

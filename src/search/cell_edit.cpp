@@ -56,6 +56,8 @@ class CellIndexEdit {
 CellIndexEdit::CellIndexEdit(const CellIndex& before, PointBuffer points)
     : before_(*before.state_), builder_(before_.grid, before_.cells.reach) {
   next_ = std::make_shared<State>(before_.surfaces, before_.cells);
+  // What is added may be noisier than what was there, and is all there is where it stands: its lines are trusted.
+  next_->surfaces.scatter = std::numeric_limits<double>::infinity();
   next_->points = std::move(points);
   next_->tiles = before_.tiles;
   next_->progress = before_.progress;

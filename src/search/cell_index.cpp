@@ -128,7 +128,22 @@ Line CellIndex::State::fit_line(int number) const noexcept {
   line.normal_x = static_cast<float>(surface.normal.x());
   line.normal_y = static_cast<float>(surface.normal.y());
   line.offset = static_cast<float>(surface.normal.dot(surface.centroid - point));
+  line.trust = static_cast<float>(trust_of(surface, found));
   return line;
+}
+
+double CellIndex::State::trust_of(const Surface2& surface, std::span<const Neighbour> found) const noexcept {
+  constexpr double least = 0.2;  // where all lines are poor they hold the pose together
+  double squares = 0.0;
+  for (const Neighbour& one : found) {
+    const double off = surface.normal.dot(points.view()[static_cast<std::size_t>(one.index)] - surface.centroid);
+    squares += off * off;
+  }
+  // Of n points on a line the sum of squares has n - 2 degrees of freedom.
+  const double variance = squares / (static_cast<double>(found.size()) - 2.0);
+  const double usual = surfaces.scatter * line_noise.across * line_noise.across;
+  const double share = usual / variance;
+  return share < 1.0 ? std::max(least, share * share) : 1.0;
 }
 
 const std::vector<Line>* CellIndex::State::lines_of(const Tile& tile) const {
@@ -250,7 +265,7 @@ Surface2 CellIndex::surface(std::size_t number) const noexcept {
   }
   if (!line.valid()) return {};
   const Vector<2> normal = Vector<2>(line.normal_x, line.normal_y).normalized();
-  return {point + static_cast<double>(line.offset) * normal, normal};
+  return {point + static_cast<double>(line.offset) * normal, normal, static_cast<double>(line.trust)};
 }
 
 Neighbour CellIndex::nearest(const Point2& query, double reach) const noexcept {

@@ -13,6 +13,7 @@ void check(const SurfaceOptions& options) {
   if (options.min_neighbours < 3) refuse("min_neighbours is below 3", "two points make no surface; 5 is the default");
   if (options.neighbours > 0 && options.min_neighbours > options.neighbours)
     refuse("min_neighbours is above neighbours", "no point could have a surface: lower it, or give 0 neighbours");
+  if (!(options.scatter > 0.0)) refuse("scatter is not above zero", "give a share of variances; 1.3 is the default");
   if (options.threads < 1) refuse("threads is below 1", "give the number of threads to use");
 }
 

@@ -42,7 +42,7 @@ Surface<D> fit_surface(const Point<D>& point, std::span<const Neighbour> found, 
   const double least = std::max(eigen.eigenvalues()[0], 0.0);
   const double next = eigen.eigenvalues()[1];
   if (!(next > 1e-12) || !(least < 0.9 * next)) return {};
-  return {point + mean, eigen.eigenvectors().col(0)};
+  return {point + mean, eigen.eigenvectors().col(0), 1.0};
 }
 
 /// How far the neighbours that made a surface reach [m]; infinite where it could take more. Rounded up.

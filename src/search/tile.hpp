@@ -53,6 +53,7 @@ struct Line {
   float offset = 0.0F;  ///< from the point to the line, along the normal [m]
   /// How far the neighbours that made it reach [m]; infinite where it could take more.
   float window = std::numeric_limits<float>::infinity();
+  float trust = 1.0F;  ///< see Surface
 
   bool valid() const noexcept { return normal_x != 0.0F || normal_y != 0.0F; }
 };

@@ -161,7 +161,8 @@ void expect_gauss_newton_step(RobustKernel kernel, InstructionSet set, double to
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n);
   for (const Pair<D>& pair : pairs) {
     const auto residual = [&](const typename Pose<D>::Tangent& motion) {
-      return pair.surface.normal.dot(pair.surface.centroid - guess * Pose<D>::exp(motion) * pair.scan);
+      return pair.surface.trust *
+             pair.surface.normal.dot(pair.surface.centroid - guess * Pose<D>::exp(motion) * pair.scan);
     };
     Eigen::VectorXd jacobian(n);
     for (int k = 0; k < n; ++k) {

@@ -42,7 +42,7 @@ struct MapperOptions {
   /// Points farther from the robot are forgotten as the map grows [m], > 0; 0: none are. Work and memory are bounded,
   /// and what is left is odometry.
   double forget_distance = 0.0;
-  SurfaceOptions surfaces = {};  ///< of the map
+  SurfaceOptions surfaces = SurfaceOptions::sparse();  ///< of the map while it grows
 
   /// The first rule broken, in words a user can act on; empty if none.
   std::string problem() const;

@@ -42,6 +42,9 @@ struct Uncertainty {
   /// How much more neighbouring points pull together than noise explains, a mean over the directions, at least 1: the
   /// covariance is larger by it. Corners, doors ajar and things beside walls do it.
   double misfit = 1.0;
+  /// How far the pairs' pose is from what a prior says, squared and in their common noise: about 3, and seldom above
+  /// 16, where both are right. 0 without a prior, and where a direction is blind.
+  double surprise = 0.0;
   /// True where the pairs hold some direction no better than the noise of the map's normals pretends.
   bool blind = false;
   /// The direction in which the pairs hold the position least, whatever the rotation: unit vector in the robot's frame.
@@ -56,13 +59,21 @@ struct Uncertainty {
   /// The part of the covariance in directions that the pairs do not hold.
   Matrix<3, 3> unheld = Matrix<3, 3>::Zero();
 
+  static constexpr double credible =
+      16.0;  ///< of `surprise`: chi-squared with three degrees of freedom, 0.1 % are above
   static constexpr double unheld_variance = 1e6;  ///< [m^2, rad^2]: a kilometre
+
+  /// What the prior counts beside the pairs, in (0, 1]: the less, the less it can be right.
+  double trust_in_prior() const noexcept { return surprise > credible ? credible / surprise : 1.0; }
 };
 
 /// What is known of a pose before the match.
 struct PosePrior {
   Pose2 mean;                                       ///< T_map_robot
   Matrix<3, 3> information = Matrix<3, 3>::Zero();  ///< of its error as seen from the robot; zero: nothing is known
+  /// Where the solver's gate starts [m], so that the match stays near, whatever stands there. 0: at
+  /// IcpOptions::max_correspondence_distance, or farther out where the information is little.
+  double first_gate = 0.0;
 
   bool given() const noexcept { return information.trace() > 0.0; }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <slamicp/geometry/point_cloud.hpp>
@@ -15,6 +16,8 @@ template <int D>
 struct Surface {
   Point<D> centroid = Point<D>::Zero();  ///< in the map's frame [m]
   Vector<D> normal = Vector<D>::Zero();  ///< unit length; zero where there is no surface to speak of
+  /// What a residual to it counts in a match, in (0, 1]: see SurfaceOptions::scatter.
+  double trust = 1.0;
 
   bool valid() const noexcept { return normal.squaredNorm() > 0.5; }
 };
@@ -33,8 +36,20 @@ struct SurfaceOptions {
   /// With fewer neighbours than this within `radius` (in 3D fewer than 4) a point has no surface. At least 3, at most
   /// `neighbours`.
   int min_neighbours = 5;
+  /// In the plane: a line around which its points scatter more than this times as much as they do on the map's median
+  /// line (in variance) counts the less for it: one through a corner, or through both faces of a door leaf, is not
+  /// where a wall is. Too small doubts good walls. Infinite: all lines are trusted alike, see sparse(); so are those
+  /// that change as an index gains and loses points. Above 0.
+  double scatter = 1.3;
   /// Threads to use; the result is the same for any number. At least 1.
   int threads = 1;
+
+  /// For points that lie far apart, as those of a single scan or of a map in the making: every line is trusted.
+  static SurfaceOptions sparse() noexcept {
+    SurfaceOptions options;
+    options.scatter = std::numeric_limits<double>::infinity();
+    return options;
+  }
 };
 
 }  // namespace slamicp

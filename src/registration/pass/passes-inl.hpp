@@ -491,18 +491,20 @@ class NoiseLanes {
     by_range_.add(hn::Mul(weight2, cosine2), pairs);
     by_map_.add(hn::Mul(weight2, shared), pairs);
     pulls_.add(pairs);
-    weights_ = hn::Add(weights_, pairs.weight);
+    // Normals are as long as their lines are trusted.
+    const V counted = hn::Mul(pairs.weight, hn::MulAdd(pairs.nx, pairs.nx, hn::Mul(pairs.ny, pairs.ny)));
+    weights_ = hn::Add(weights_, counted);
     // Behind the last point and where there is no pair the coordinates are anything.
     const V rx = hn::IfThenElseZero(pairs.used, pairs.rx);
     const V ry = hn::IfThenElseZero(pairs.used, pairs.ry);
-    const V wx = hn::Mul(pairs.weight, rx);
-    const V wy = hn::Mul(pairs.weight, ry);
+    const V wx = hn::Mul(counted, rx);
+    const V wy = hn::Mul(counted, ry);
     x_ = hn::Add(x_, wx);
     y_ = hn::Add(y_, wy);
     ranges_ = hn::MulAdd(wx, rx, hn::MulAdd(wy, ry, ranges_));
     residuals_ = hn::MulAdd(hn::Mul(pairs.weight, pairs.residual), pairs.residual, residuals_);
     cosines_ = hn::MulAdd(pairs.weight, cosine2, cosines_);
-    shared_ = hn::Add(shared_, hn::IfThenElseZero(pairs.used, hn::Mul(weight2, shared)));
+    shared_ = hn::Add(shared_, hn::IfThenElseZero(pairs.used, hn::Mul(hn::Mul(counted, counted), shared)));
   }
   HWY_INLINE LineNoiseSums total() {
     return {by_range_.total(), by_map_.total(), pulls_.total(),  sum(weights_), sum(x_),
