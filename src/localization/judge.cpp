@@ -72,30 +72,32 @@ Evidence look(const IndexedPoints<2>& map, const PlacedScan& scan, int rays, dou
 double log_odds(const Evidence& evidence) noexcept {
   const double near = evidence.explained + evidence.beside;
   const double fit = near > 0.0 ? evidence.explained / near : 0.0;
-  return -3.60 + 5.73 * fit - 11.81 * std::sqrt(evidence.violations) + 1.48 * evidence.spread;
+  return -6.91 + 6.35 * fit - 14.9 * std::sqrt(evidence.violations) + 5.48 * evidence.spread;
 }
 
 double probability_of(double log_odds) noexcept { return 1.0 / (1.0 + std::exp(-log_odds)); }
 
 void Judge::forget() noexcept {
   log_odds_ = at_first;
+  record_ = 0.0;
   awareness_ = 1.0;
   scans_ = 0;
   doubtful_ = 0;
 }
 
-Quality Judge::update(const Evidence& evidence, bool matched, bool held) noexcept {
+Quality Judge::update(const Evidence& evidence, bool matched, bool held, bool surprised) noexcept {
   constexpr double unmatched = -4.0;
   constexpr double surest = 7.0;
   const double by_scan = matched && evidence.rays > 0 ? std::clamp(log_odds(evidence), -surest, surest) : unmatched;
   log_odds_ += (by_scan - log_odds_) / options_.memory;
+  if (surprised) record_ = 0.0;
   ++scans_;
   const double memory = std::min(static_cast<double>(scans_), options_.awareness_memory);
   awareness_ += (evidence.explained - awareness_) / memory;
 
   Quality quality;
   quality.state = next_state(held);
-  quality.probability = probability_of(log_odds_);
+  quality.probability = probability();
   quality.scan_probability = probability_of(by_scan);
   quality.awareness = awareness_;
   quality.evidence = evidence;
@@ -104,7 +106,8 @@ Quality Judge::update(const Evidence& evidence, bool matched, bool held) noexcep
 
 TrackingState Judge::next_state(bool held) noexcept {
   const double enough = doubtful_ > 0 ? options_.trusted_above : options_.suspect_below;
-  doubtful_ = probability_of(log_odds_) < enough ? doubtful_ + 1 : 0;
+  doubtful_ = probability() < enough ? doubtful_ + 1 : 0;
+  if (doubtful_ == 0) record_ = std::min(record_ + best_record / scans_of_a_record, best_record);
   if (doubtful_ > options_.lost_after) return TrackingState::lost;
   if (doubtful_ > 0) return TrackingState::suspect;
   return held ? TrackingState::tracking : TrackingState::degenerate;

@@ -21,7 +21,8 @@ Evidence look(const IndexedPoints<2>& map, const PlacedScan& scan, int rays, dou
               double noise) noexcept;
 
 /// For a pose being right, by one scan's evidence: logistic regression over right and wrong poses in four simulated
-/// worlds, with things that came and things that left (`scripts/measure doubt --only calibration --samples FILE`).
+/// worlds, with things that came and things that left, and in five real ones (`scripts/measure doubt --only calibration
+/// --samples FILE`, `scripts/measure real_calibration --samples FILE`), right and wrong and each world weighing alike.
 double log_odds(const Evidence& evidence) noexcept;
 double probability_of(double log_odds) noexcept;
 
@@ -40,15 +41,22 @@ class Judge {
 
   /// @param matched  false where the match found no pose
   /// @param held     false where some direction is blind
-  Quality update(const Evidence& evidence, bool matched, bool held) noexcept;
+  /// @param surprised  true where the match contradicts the prediction
+  Quality update(const Evidence& evidence, bool matched, bool held, bool surprised) noexcept;
 
  private:
   TrackingState next_state(bool held) noexcept;
+  double probability() const noexcept { return probability_of(log_odds_ + record_); }
 
-  static constexpr double at_first = 3.0;  // log odds of a pose that was set
+  static constexpr double at_first = 2.0;  // log odds of a pose that was set
+  // A pose that was followed from scan to scan, without a doubt or a surprise, is rarely wrong: log odds that this
+  // adds, and how many scans it takes.
+  static constexpr double best_record = 4.0;
+  static constexpr double scans_of_a_record = 600.0;
 
   QualityOptions options_;
-  double log_odds_ = at_first;
+  double log_odds_ = at_first;  // by the last scans
+  double record_ = 0.0;         // by all before, as far as nothing surprised
   double awareness_ = 1.0;
   int scans_ = 0;     // since the pose was set
   int doubtful_ = 0;  // scans in a row

@@ -92,10 +92,12 @@ struct Localizer::State {
   void doubt() noexcept;
   bool recover(int budget);
   void look_along_blind_direction();
+  void look_nearer(bool by_odometry);
   void project(std::span<const LaserScan> scans, const Velocity& velocity);
   SweepMotion sweep_of(const LaserScan& scan, const LaserScan& first, const Velocity& velocity) const noexcept;
   bool worth_another_look(std::span<const LaserScan> scans, const Velocity& before, const Velocity& now) const noexcept;
   void align_to_map(const Pose2& guess);
+  void take(const IcpResult2& result);
   void take_scan_as_map();
 };
 
@@ -114,7 +116,10 @@ void Localizer::State::match(std::span<const LaserScan> scans) {
   if (map) {
     fix.map = map;
     align_to_map(fix.predicted);
-    if (fuses()) look_along_blind_direction();
+    if (fuses()) {
+      look_nearer(prediction.is_by_odometry(first));
+      look_along_blind_direction();
+    }
     if (fix.match.usable()) {
       const Pose2 middle = fix.match.pose * velocity.over(half);
       const Velocity measured = prediction.velocity_at(first, prediction.motion_to(middle));
@@ -188,7 +193,7 @@ void Localizer::State::doubt() noexcept {
   const Evidence evidence =
       look(points, {fix.scan, origins, fix.pose}, options.quality.rays, options.max_correspondence_distance, noise);
   const bool held = fix.match.stop != Stop::degenerate && fix.blind_direction.isZero();
-  fix.quality = judge_of_pose.update(evidence, matched, held);
+  fix.quality = judge_of_pose.update(evidence, matched, held, fix.match.uncertainty.surprise >= Uncertainty::credible);
   if (!fix.quality.doubted()) trusted = fix.pose;
 }
 
@@ -208,6 +213,22 @@ bool Localizer::State::recover(int budget) {
   return true;
 }
 
+/// What stands before the walls may pull a match away from them. One that ends where it was not to be expected, or
+/// whose pairs pull against each other, is tried again in a narrower gate, nearer to the prediction.
+void Localizer::State::look_nearer(bool by_odometry) {
+  constexpr double credible = 25.0;  // squared, in standard deviations
+  constexpr double much = 3.0;       // pull, of what noise explains
+  constexpr double gate = 0.1;       // [m]
+  const Uncertainty& match = fix.match.uncertainty;
+  if (!match.known || match.blind || (match.surprise < credible && match.misfit < much)) return;
+  PosePrior near_by = prior;
+  near_by.first_gate = std::min(gate, options.max_correspondence_distance);
+  const IcpResult2& near = icp.align(map->indexed(), fix.scan.in_robot, fix.predicted, options.outputs, near_by);
+  // Wheels have a say of their own.
+  const double enough = (by_odometry ? 0.9 : 1.0) * static_cast<double>(fix.match.pairs);
+  if (near.usable() && static_cast<double>(near.pairs) >= enough) take(near);
+}
+
 /// Where the position may be far off in some direction, what has no match here may have one further along. If so, the
 /// match starts again there.
 void Localizer::State::look_along_blind_direction() {
@@ -224,7 +245,7 @@ void Localizer::State::look_along_blind_direction() {
   start.x += *shift * direction.x();
   start.y += *shift * direction.y();
   align_to_map(start);
-  if (fix.match.stop == Stop::converged) return;
+  if (fix.match.stop == Stop::converged && fix.match.uncertainty.surprise <= Uncertainty::credible) return;
   align_to_map(fix.predicted);
 }
 
@@ -280,7 +301,10 @@ bool Localizer::State::worth_another_look(std::span<const LaserScan> scans, cons
 }
 
 void Localizer::State::align_to_map(const Pose2& guess) {
-  const IcpResult2& result = icp.align(map->indexed(), fix.scan.in_robot, guess, options.outputs, prior);
+  take(icp.align(map->indexed(), fix.scan.in_robot, guess, options.outputs, prior));
+}
+
+void Localizer::State::take(const IcpResult2& result) {
   // The copy gets as much room as the original: a scan with more outliers than those before allocates nothing.
   fix.match.outlier_indices.reserve(result.outlier_indices.capacity());
   fix.match.outliers_in_map.reserve(result.outliers_in_map.capacity());
@@ -298,7 +322,7 @@ void Localizer::State::take_scan_as_map() {
   if (in_map.empty()) return;
   const bool is_first = map == nullptr;
   // A map for one scan: its cells would cost more than they save.
-  map = PointMap2::create(std::move(in_map), {}, {.eager = false});
+  map = PointMap2::create(std::move(in_map), SurfaceOptions::sparse(), {.eager = false});
   if (!is_first) return;
   // The first scan defines the map: it fits itself where it was told to stand.
   fix.map = map;

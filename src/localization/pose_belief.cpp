@@ -66,7 +66,7 @@ PosePrior PoseBelief::prior(const Pose2& mean) const noexcept {
 void PoseBelief::fuse(const Uncertainty& match, const PosePrior& prior, double heading) noexcept {
   if (!match.known) return;
   const Matrix3d information = match.information;
-  const Matrix3d all = information + prior.information;
+  const Matrix3d all = information + match.trust_in_prior() * prior.information;
   const Matrix3d gain = all.inverse() * information;
   const Matrix3d rest = Matrix3d::Identity() - gain;
   const Matrix3d systematic = match.systematic;

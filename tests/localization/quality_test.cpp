@@ -77,10 +77,10 @@ Evidence bad() { return {64, 0.3, 0.4, 0.2, 0.2}; }
 
 TEST(JudgeTest, DoubtsOnlyWhenScansSpeakAgainstThePoseForAWhile) {
   Judge judge({});
-  for (int k = 0; k < 50; ++k) EXPECT_EQ(judge.update(good(), true, true).state, TrackingState::tracking);
-  EXPECT_EQ(judge.update(bad(), true, true).state, TrackingState::tracking) << "one scan is not enough";
+  for (int k = 0; k < 50; ++k) EXPECT_EQ(judge.update(good(), true, true, false).state, TrackingState::tracking);
+  EXPECT_EQ(judge.update(bad(), true, true, false).state, TrackingState::tracking) << "one scan is not enough";
   int until = 1;
-  while (judge.update(bad(), true, true).state == TrackingState::tracking) ++until;
+  while (judge.update(bad(), true, true, false).state == TrackingState::tracking) ++until;
   EXPECT_LE(until, 15);
 }
 
@@ -88,20 +88,20 @@ TEST(JudgeTest, IsLostAfterAWhileAndComesBackSlowly) {
   const QualityOptions options;
   Judge judge(options);
   Quality quality;
-  for (int k = 0; k < 40; ++k) quality = judge.update(bad(), true, true);
+  for (int k = 0; k < 40; ++k) quality = judge.update(bad(), true, true, false);
   EXPECT_EQ(quality.state, TrackingState::lost);
   EXPECT_LT(quality.probability, 0.05);
-  EXPECT_EQ(judge.update(good(), true, true).state, TrackingState::lost) << "hysteresis";
-  for (int k = 0; k < 100; ++k) quality = judge.update(good(), true, true);
+  EXPECT_EQ(judge.update(good(), true, true, false).state, TrackingState::lost) << "hysteresis";
+  for (int k = 0; k < 100; ++k) quality = judge.update(good(), true, true, false);
   EXPECT_EQ(quality.state, TrackingState::tracking);
   EXPECT_GT(quality.probability, options.trusted_above);
 }
 
 TEST(JudgeTest, ABlindDirectionIsDegenerateAndNoMatchIsDoubted) {
   Judge judge({});
-  EXPECT_EQ(judge.update(good(), true, false).state, TrackingState::degenerate);
+  EXPECT_EQ(judge.update(good(), true, false, false).state, TrackingState::degenerate);
   Quality quality;
-  for (int k = 0; k < 40; ++k) quality = judge.update({}, false, true);
+  for (int k = 0; k < 40; ++k) quality = judge.update({}, false, true, false);
   EXPECT_EQ(quality.state, TrackingState::lost);
 }
 

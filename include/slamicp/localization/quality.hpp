@@ -30,9 +30,10 @@ struct Evidence {
 /// How good the localizer's pose is, by this scan and those before.
 struct Quality {
   TrackingState state = TrackingState::tracking;
-  /// That the pose is right to within half a metre and 15 deg, as calibrated in simulated worlds with truth. In [0, 1].
+  /// That the pose is right to within half a metre and 15 deg, by the last scans and by how long the pose has been
+  /// followed without a surprise. In [0, 1].
   double probability = 1.0;
-  double scan_probability = 1.0;  ///< the same by this scan alone
+  double scan_probability = 1.0;  ///< by this scan alone, were right and wrong poses equally likely
   /// Situational awareness: the share of the surroundings that the map explains, averaged over the last seconds.
   double awareness = 1.0;
   Evidence evidence;
@@ -49,7 +50,7 @@ struct QualityOptions {
   /// any other one a walk along it. 0: no quality at all. 0, or 16 to 256.
   int rays = 64;
   double suspect_below = 0.6;      ///< probability below which the pose is suspect, in (0, 1)
-  double trusted_above = 0.95;     ///< probability above which it is trusted again, in (suspect_below, 1)
+  double trusted_above = 0.9;      ///< probability above which it is trusted again, in (suspect_below, 1)
   int lost_after = 20;             ///< scans in a row that were suspect before the state is lost, at least 1
   double memory = 10.0;            ///< scans over which the probability is averaged, at least 1
   double awareness_memory = 40.0;  ///< scans over which the awareness is averaged, at least 1
