@@ -8,6 +8,8 @@
 
 #include <slamicp/localization/fix.hpp>
 #include <slamicp/obstacles/oriented_box.hpp>
+#include <slamicp/obstacles/ray_class.hpp>
+#include <slamicp/obstacles/shape.hpp>
 #include <slamicp/scan/laser_scan.hpp>
 
 namespace slamicp {
@@ -17,6 +19,12 @@ struct Obstacle {
   OrientedBox box;          ///< around what was seen of it, in the map's frame
   double distance = 0.0;    ///< from the laser to its nearest seen point [m]
   std::vector<int> points;  ///< its points, as indices into the Fix's scan (or into the cloud it was found in)
+  RayClass ray_class = RayClass::unknown;  ///< of most of its rays
+  Shape shape;                             ///< what it looks like, by its points
+  Point2 nearest = Point2::Zero();         ///< its nearest seen point, in the map's frame [m]
+  /// Nothing stood before its first point (in beam order), its last one: the thing ends there. Else it may go on.
+  bool first_end_seen = false;
+  bool last_end_seen = false;
 
   /// "0.42 m x 0.18 m at 3.10 m, 0.55 m, 41 points"
   std::string brief() const;
