@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "localization/free_space.hpp"
+#include <slamicp/map/ray_checker.hpp>
 
 namespace slamicp {
 namespace {

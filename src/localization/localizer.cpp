@@ -18,6 +18,7 @@ IcpOptions LocalizerOptions::icp() const noexcept {
   icp.method = method;
   icp.max_correspondence_distance = max_correspondence_distance;
   icp.outlier_distance = outlier_distance;
+  icp.obstacle_distance = obstacle_distance;
   icp.max_iterations = max_iterations;
   icp.kernel = kernel;
   icp.kernel_scale = kernel_scale;
@@ -79,7 +80,6 @@ struct Localizer::State {
   PointMap2::Pointer map;             // null until the first scan in scan-to-scan mode
   bool scan_to_scan = false;
   std::vector<ScanProjector> projectors;  // one for each of the scans that are joined
-  std::vector<Point2> origins;            // of their rays, in the robot's frame
   Fix fix;
 
   bool fuses() const noexcept {
@@ -190,8 +190,8 @@ void Localizer::State::doubt() noexcept {
   const double range_noise =
       fix.match.uncertainty.known ? fix.match.uncertainty.range_noise : std::max(options.noise.range, 0.01);
   const double noise = std::hypot(range_noise, points.line_noise().across);
-  const Evidence evidence =
-      look(points, {fix.scan, origins, fix.pose}, options.quality.rays, options.max_correspondence_distance, noise);
+  const Evidence evidence = look(points, {fix.scan, fix.ray_origins, fix.pose}, options.quality.rays,
+                                 options.max_correspondence_distance, noise);
   const bool held = fix.match.stop != Stop::degenerate && fix.blind_direction.isZero();
   fix.quality = judge_of_pose.update(evidence, matched, held, fix.match.uncertainty.surprise >= Uncertainty::credible);
   if (!fix.quality.doubted()) trusted = fix.pose;
@@ -201,7 +201,7 @@ bool Localizer::State::recover(int budget) {
   if (!fix.quality.doubted())
     search.reset();
   else if (!search && map && !fix.scan.in_robot.empty()) {
-    search.emplace(map, fix.scan, origins.front(), trusted, options.icp(), options.search);
+    search.emplace(map, fix.scan, fix.ray_origins.front(), trusted, options.icp(), options.search);
     moved = {};
   }
   if (!search || !search->step(budget)) return false;
@@ -255,11 +255,11 @@ void Localizer::State::project(std::span<const LaserScan> scans, const Velocity&
   fix.scan.in_robot.clear();
   fix.scan.beams.clear();
   fix.scan.scans.clear();
-  origins.clear();
+  fix.ray_origins.clear();
   std::size_t most = 0;
   for (const LaserScan& scan : scans) {
     most += scan.ranges.size();
-    origins.push_back(scan.T_robot_laser.translation());
+    fix.ray_origins.push_back(scan.T_robot_laser.translation());
   }
   fix.scan.in_robot.reserve(most);
   fix.scan.beams.reserve(most);
@@ -311,6 +311,7 @@ void Localizer::State::take(const IcpResult2& result) {
   fix.match.transformed_scan.reserve(result.transformed_scan.capacity());
   fix.match.updated_map.reserve(result.updated_map.capacity());
   fix.match.matches.reserve(result.matches.capacity());
+  fix.match.stray_indices.reserve(result.stray_indices.capacity());
   fix.match = result;
 }
 

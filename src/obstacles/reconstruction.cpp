@@ -71,7 +71,19 @@ std::string ReconstructionOptions::problem() const {
   if (!(filter_radius > 0.0)) return "filter_radius must be a length above 0 m; 0.03 m is the default";
   if (filter_neighbours < 0) return "filter_neighbours must be at least 0 (no filter)";
   if (!(trim >= 0.0 && trim <= 0.2)) return "trim must lie between 0 and 0.2; 0.01 is the default";
+  if (!(noise > 0.0)) return "noise must be a length above 0 m; 0.012 m is the default";
   return {};
+}
+
+void SeenThings::add(const Fix& fix, const LaserScan& scan, std::span<const Obstacle> obstacles) {
+  for (const Obstacle& obstacle : obstacles) {
+    if (obstacle.ray_class != RayClass::obstacle) continue;
+    for (const int point : obstacle.points) {
+      const auto i = static_cast<std::size_t>(point);
+      points.push_back(fix.pose * fix.scan.in_robot[i]);
+      lasers.push_back(fix.pose * ray_origin(fix, scan, i));
+    }
+  }
 }
 
 std::vector<Obstacle> reconstruct_obstacles(const PointCloud2& outliers, const ReconstructionOptions& options) {
@@ -90,6 +102,22 @@ std::vector<Obstacle> reconstruct_obstacles(const PointCloud2& outliers, const R
   }
   std::stable_sort(obstacles.begin(), obstacles.end(),
                    [](const Obstacle& a, const Obstacle& b) { return a.points.size() > b.points.size(); });
+  return obstacles;
+}
+
+std::vector<Obstacle> reconstruct_shapes(const SeenThings& seen, const ReconstructionOptions& options) {
+  std::vector<Obstacle> obstacles = reconstruct_obstacles(seen.points, options);
+  PointCloud2 points, lasers;
+  for (Obstacle& obstacle : obstacles) {
+    points.clear();
+    lasers.clear();
+    for (const int point : obstacle.points) {
+      points.push_back(seen.points[static_cast<std::size_t>(point)]);
+      lasers.push_back(seen.lasers[static_cast<std::size_t>(point)]);
+    }
+    obstacle.shape = shape_of_run(points, lasers, options.noise);
+    obstacle.ray_class = RayClass::obstacle;
+  }
   return obstacles;
 }
 

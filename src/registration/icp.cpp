@@ -203,7 +203,9 @@ struct Icp<D>::State {
              const Pose<D>& guess);
   void hand_out(const IndexedPoints<D>& map, PointView<D> scan, const Outputs& wanted);
   void match_all(PointView<D> scan, const Outputs& wanted, bool want_outliers);
-  void find_outliers(PointView<D> scan);
+  void find_far_points(PointView<D> scan, double threshold, std::vector<int>& indices);
+  double obstacle_distance(const IndexedPoints<D>& map) const noexcept;
+  double stray_distance() const noexcept { return IcpResult<D>::stray_share * result.obstacle_distance; }
 };
 
 template <int D>
@@ -214,6 +216,8 @@ void Icp<D>::State::forget() noexcept {
   result.outlier_indices.clear();
   result.outliers_in_map.clear();
   result.updated_map.clear();
+  result.stray_indices.clear();
+  result.obstacle_distance = 0.0;
   result.searches = result.searches_for_outputs = 0;
   result.uncertainty = {};
 }
@@ -225,6 +229,7 @@ void Icp<D>::State::make_room(std::size_t map_points, const Outputs& wanted) {
   if (wanted.transformed_scan) result.transformed_scan.reserve(room);
   if (wanted.updated_map) result.updated_map.reserve(map_points + room);
   if (wanted.matches) result.matches.reserve(room);
+  if (wanted.strays) result.stray_indices.reserve(room);
 }
 
 /// What the noise of the pairs is made of, where it is wanted and known: in the plane, point to line.
@@ -243,7 +248,9 @@ template <int D>
 std::size_t Icp<D>::State::begin(const IndexedPoints<D>& map, PointView<D> scan) {
   if constexpr (D == 2)
     if (is_vectorized()) return vector_match.begin(map.cells(), scan);
-  correspondences.reset(map, scan, std::max(options.max_correspondence_distance, options.outlier_threshold()));
+  correspondences.reset(map, scan,
+                        std::max({options.max_correspondence_distance, options.outlier_threshold(),
+                                  options.obstacle_distance.value_or(0.0)}));
   return correspondences.usable_points();
 }
 
@@ -352,6 +359,22 @@ void Icp<D>::State::judge(const IndexedPoints<D>& map, PointView<D> scan, const 
   }
 }
 
+/// How far from the map something stands that is no noise.
+template <int D>
+double Icp<D>::State::obstacle_distance(const IndexedPoints<D>& map) const noexcept {
+  if (options.obstacle_distance) return *options.obstacle_distance;
+  constexpr double usual_range = 0.01;  // [m]
+  constexpr double least = 0.05;        // [m], what maps are off for other reasons than noise
+  constexpr double sigmas = 4.0;
+  double range = options.noise.range > 0.0 ? options.noise.range : usual_range;
+  double across = options.noise.map;
+  if constexpr (D == 2) {
+    if (result.uncertainty.known) range = result.uncertainty.range_noise;
+    if (!(across > 0.0)) across = map.line_noise().across;
+  }
+  return std::min(std::max(sigmas * std::hypot(range, across), least), options.outlier_threshold());
+}
+
 /// The nearest map point of every scan point: matches, their mean distance, and the outliers if wanted.
 template <int D>
 void Icp<D>::State::match_all(PointView<D> scan, const Outputs& wanted, bool want_outliers) {
@@ -359,8 +382,8 @@ void Icp<D>::State::match_all(PointView<D> scan, const Outputs& wanted, bool wan
   const Point<D> translation = result.pose.translation();
   if constexpr (D == 2)
     if (is_vectorized())
-      vector_match.find_matches(result.pose,
-                                std::max(options.max_correspondence_distance, options.outlier_threshold()));
+      vector_match.find_matches(
+          result.pose, std::max({options.max_correspondence_distance, options.outlier_threshold(), stray_distance()}));
   const auto nearest = [&](std::size_t i) -> std::pair<Neighbour, double> {
     if constexpr (D == 2)
       if (is_vectorized()) return vector_match.match(i, result.pose);
@@ -369,6 +392,7 @@ void Icp<D>::State::match_all(PointView<D> scan, const Outputs& wanted, bool wan
   };
   const double inlier2 = options.max_correspondence_distance * options.max_correspondence_distance;
   const double outlier2 = options.outlier_threshold() * options.outlier_threshold();
+  const double stray2 = stray_distance() * stray_distance();
   double sum = 0.0;
   std::size_t inliers = 0;
   for (std::size_t i = 0; i < scan.size(); ++i) {
@@ -382,6 +406,7 @@ void Icp<D>::State::match_all(PointView<D> scan, const Outputs& wanted, bool wan
       inliers += is_inlier ? 1U : 0U;
       sum += is_inlier ? match.distance : 0.0;
       if (is_outlier && want_outliers) result.outlier_indices.push_back(static_cast<int>(i));
+      if (wanted.strays && !(neighbour.squared_distance < stray2)) result.stray_indices.push_back(static_cast<int>(i));
     }
     if (wanted.matches) result.matches[i] = match;
   }
@@ -390,16 +415,14 @@ void Icp<D>::State::match_all(PointView<D> scan, const Outputs& wanted, bool wan
 }
 
 template <int D>
-void Icp<D>::State::find_outliers(PointView<D> scan) {
+void Icp<D>::State::find_far_points(PointView<D> scan, double threshold, std::vector<int>& indices) {
   if constexpr (D == 2)
-    if (is_vectorized())
-      return vector_match.find_outliers(result.pose, options.outlier_threshold(), result.outlier_indices);
+    if (is_vectorized()) return vector_match.find_outliers(result.pose, threshold, indices);
   const Matrix<D, D> rotation = result.pose.rotation();
   const Point<D> translation = result.pose.translation();
   for (std::size_t i = 0; i < scan.size(); ++i)
-    if (correspondences.finite(i) &&
-        !correspondences.closer_than(i, rotation * scan[i] + translation, options.outlier_threshold()))
-      result.outlier_indices.push_back(static_cast<int>(i));
+    if (correspondences.finite(i) && !correspondences.closer_than(i, rotation * scan[i] + translation, threshold))
+      indices.push_back(static_cast<int>(i));
 }
 
 template <int D>
@@ -407,10 +430,13 @@ void Icp<D>::State::hand_out(const IndexedPoints<D>& map, PointView<D> scan, con
   const bool want_outliers = wanted.outlier_indices || wanted.outliers_in_map || wanted.updated_map;
   result.matches.resize(wanted.matches ? scan.size() : 0);
   result.transformed_scan.resize(wanted.transformed_scan ? scan.size() : 0);
-  if (wanted.mean_inlier_distance || wanted.matches)
+  if (wanted.strays) result.obstacle_distance = obstacle_distance(map);
+  if (wanted.mean_inlier_distance || wanted.matches) {
     match_all(scan, wanted, want_outliers);
-  else if (want_outliers)
-    find_outliers(scan);
+  } else {
+    if (want_outliers) find_far_points(scan, options.outlier_threshold(), result.outlier_indices);
+    if (wanted.strays) find_far_points(scan, stray_distance(), result.stray_indices);
+  }
 
   const Matrix<D, D> rotation = result.pose.rotation();
   const Point<D> translation = result.pose.translation();

@@ -15,6 +15,8 @@ std::string IcpOptions::problem() const {
     return "max_correspondence_distance must be a length above 0 m; 0.3 m is the paper's";
   if (outlier_distance && !is_length(*outlier_distance))
     return "outlier_distance must be a length above 0 m; leave it out to use max_correspondence_distance";
+  if (obstacle_distance && !is_length(*obstacle_distance))
+    return "obstacle_distance must be a length above 0 m; leave it out to have it from the noise";
   if (max_iterations < 1) return "max_iterations must be at least 1; 50 is the default";
   if (!is_length(kernel_scale)) return "kernel_scale must be a length above 0 m; 0.05 m is the default";
   if (!(final_gate >= 0.0) || final_gate > max_correspondence_distance)

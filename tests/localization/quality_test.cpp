@@ -4,7 +4,6 @@
 #include <slamicp/error.hpp>
 #include <slamicp/localization/localizer.hpp>
 
-#include "localization/free_space.hpp"
 #include "localization/judge.hpp"
 #include "support/room.hpp"
 
@@ -24,31 +23,6 @@ struct Scene {
     return look(map->indexed(), {points, {&origin, 1}, thought}, 64, 0.3, 0.01);
   }
 };
-
-/// A wall of points along y at x = 1, from y = -2 to 2.
-IndexedPoints<2> wall() {
-  PointCloud2 points;
-  for (int k = -100; k <= 100; ++k) points.emplace_back(1.0, 0.02 * k);
-  return IndexedPoints<2>(points);
-}
-
-TEST(RayCheckerTest, TellsWhereARayEnds) {
-  const IndexedPoints<2> map = wall();
-  const RayChecker checker(map, 0.3, 0.005);
-  EXPECT_EQ(checker.end_of({1.01, 0.5}), RayEnd::explained);
-  EXPECT_EQ(checker.end_of({0.8, 0.5}), RayEnd::beside);
-  EXPECT_EQ(checker.end_of({0.3, 0.1}), RayEnd::open);
-}
-
-TEST(RayCheckerTest, FindsTheWallThatARayWentThrough) {
-  const IndexedPoints<2> map = wall();
-  const RayChecker checker(map, 0.3, 0.005);
-  EXPECT_TRUE(checker.passes_wall({0, 0}, {3.0, 0.7}));
-  EXPECT_FALSE(checker.passes_wall({0, 0}, {1.0, 0.7})) << "it ends there";
-  EXPECT_FALSE(checker.passes_wall({0, 0}, {0.5, 0.7})) << "it ends before";
-  EXPECT_FALSE(checker.passes_wall({0, 0}, {3.0, 9.0})) << "the wall ends before";
-  EXPECT_FALSE(checker.passes_wall({0.97, -3.0}, {0.97, 3.0})) << "it runs beside the wall";
-}
 
 TEST(EvidenceTest, IsAllForTheRightPose) {
   const Scene scene;

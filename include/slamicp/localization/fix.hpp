@@ -29,8 +29,10 @@ struct Fix {
   /// T_map_robot; where nothing matched (no_overlap, too_few_points) the prediction. A blind direction of a degenerate
   /// match keeps the prediction too.
   Pose2 pose;
-  Pose2 predicted;         ///< T_map_robot before the match, by odometry or constant velocity
-  ScanPoints scan;         ///< the returns that were used, in the robot's frame, and their beams
+  Pose2 predicted;  ///< T_map_robot before the match, by odometry or constant velocity
+  ScanPoints scan;  ///< the returns that were used, in the robot's frame, and their beams
+  /// Where the rays of each joined scan start, in the robot's frame [m].
+  PointCloud2 ray_origins;
   IcpResult2 match;        ///< indices count scan.in_robot
   PointMap2::Pointer map;  ///< the snapshot that was matched against
   /// Of the pose, prediction and match fused; of the error as seen from the robot: T_map_robot = truth * exp(error),

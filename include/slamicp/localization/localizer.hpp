@@ -18,6 +18,8 @@ namespace slamicp {
 struct LocalizerOptions {
   double max_correspondence_distance = 0.3;  ///< the paper's *indist* [m]
   std::optional<double> outlier_distance{};  ///< the paper's *O_t* [m]; default: the distance above
+  /// What makes an obstacle [m], see IcpOptions; default: from the noise.
+  std::optional<double> obstacle_distance{};
   Method method = Method::point_to_line;
   int max_iterations = 50;
   RobustKernel kernel = RobustKernel::none;
@@ -35,8 +37,11 @@ struct LocalizerOptions {
   LocalSearchOptions search{};   ///< where `recover` looks
   /// What to compute for each fix besides the pose. Per-point matches cost a distance a point. With the covariance the
   /// prediction takes part in the fix by its own, so that a direction the scan does not hold follows odometry.
-  Outputs outputs = {
-      .mean_inlier_distance = true, .outlier_indices = true, .outliers_in_map = true, .covariance = true};
+  Outputs outputs = {.mean_inlier_distance = true,
+                     .outlier_indices = true,
+                     .outliers_in_map = true,
+                     .covariance = true,
+                     .strays = true};
 
   IcpOptions icp() const noexcept;
   /// The first rule broken, in words a user can act on; empty if none.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <slamicp/geometry/point_cloud.hpp>
 
@@ -40,6 +41,56 @@ struct Shape {
 
   /// "circle, radius 0.042 m (+- 0.006 m)", "box, 0.480 m x 0.215 m", "line, 0.31 m or longer"
   std::string brief() const;
+};
+
+/// What points of one thing that stands still say about it, seen in many scans from many places: the box or the circle
+/// that they fit along their rays, the circle where it fits as well. A side lies in the middle of its points, so that
+/// noise makes nothing larger; one that was not seen ends where its neighbours do. O(points), 3000 at most.
+/// @param lasers  where each point was seen from, in the map [m]
+/// @param noise   of the points, by ranges and poses, 1 sigma [m]
+Shape shape_of_run(PointView<2> points, PointView<2> lasers, double noise);
+
+/// Points of one thing as one scan shows it, in beam order, all in the map's frame [m].
+struct ViewOfThing {
+  PointView<2> points;
+  Point2 laser = Point2::Zero();  ///< where the rays come from
+  double beam_spacing = 0.0;      ///< from one ray to the next [rad], above 0
+  double range_noise = 0.01;      ///< of a range, 1 sigma [m], above 0
+  bool first_end_seen = false;    ///< nothing hid the thing's end before the first point
+  bool last_end_seen = false;     ///< nor after the last
+};
+
+/// Tells what shape points of one scan have, by evidence: line, circle and two sides at a right angle are fitted with
+/// their errors along the rays, as these have them, and the Bayesian information criterion (Schwarz 1978) chooses. A
+/// circle bends away from the laser, a corner points to it. An end lies on the last ray that met the thing, and where
+/// it was seen half a beam beyond, as the next ray missed it.
+///
+/// Sides are fitted by least squares with the right angle between them, for each corner in turn (after Zhang, Xu, Dong,
+/// Dolan 2017, "Efficient L-shape fitting"); circles by Gauss-Newton from the algebraic circle, as the algebraic one
+/// alone is too small where little of it is seen. O(points). Keeps its memory.
+class ShapeFinder {
+ public:
+  /// Room for so many points: up to these, find() allocates nothing.
+  void reserve(std::size_t points);
+  Shape find(const ViewOfThing& view);
+
+ private:
+  struct Moments {  // of points: count, sums, sums of products
+    double count = 0.0;
+    Vector<2> sum = Vector<2>::Zero();
+    double xx = 0.0, xy = 0.0, yy = 0.0;
+  };
+
+  struct Spread {  // of points about their mean, squares and products summed
+    double xx, xy, yy;
+    Point2 mean;
+  };
+
+  void sum_up(PointView<2> points);
+  Spread spread(std::size_t from, std::size_t to) const noexcept;
+
+  Point2 about_ = Point2::Zero();
+  std::vector<Moments> until_;  // of the points before each
 };
 
 }  // namespace slamicp

@@ -30,6 +30,11 @@ struct IcpOptions {
   /// 0.3 m, the paper's value, hides small things near walls. Above 0.
   std::optional<double> outlier_distance{};
 
+  /// What makes an obstacle [m]: a point farther from the map than three quarters of this is a stray. Default: from the
+  /// noise of ranges and map, four sigma, 5 cm at least and the outlier distance at most. Too small makes strays of the
+  /// map's own errors, too large hides small things near walls. Above 0.
+  std::optional<double> obstacle_distance{};
+
   /// Steps at most. A step costs a search a point. At least 1.
   int max_iterations = 50;
 
@@ -80,8 +85,9 @@ struct Outputs {
   bool updated_map = false;           ///< the paper's uM: the map's points, then the outliers
   bool matches = false;               ///< per scan point: map index, distance, class
   bool covariance = false;            ///< how well the pose is held; in the plane, point to line
+  bool strays = false;                ///< what obstacles are looked for in, see IcpResult
 
-  static Outputs all() noexcept { return {true, true, true, true, true, true, true}; }
+  static Outputs all() noexcept { return {true, true, true, true, true, true, true, true}; }
 };
 
 }  // namespace slamicp

@@ -59,6 +59,12 @@ struct IcpResult {
   PointCloud<D> transformed_scan;     ///< one for each scan point: the paper's tT
   PointCloud<D> updated_map;          ///< the paper's uM
   std::vector<Match> matches;         ///< one for each scan point
+  /// Points farther from every map point than noise explains, rising: at least `stray_share` of the obstacle distance.
+  /// Outliers are among them where the outlier distance is no smaller.
+  std::vector<int> stray_indices;
+  double obstacle_distance = 0.0;              ///< as used, with strays [m]; 0 without
+  static constexpr double stray_share = 0.75;  ///< three sigma, where the obstacle distance is four
+
   /// How well the pairs of the last step hold the pose, in the plane, point to line. A prior has no part in it.
   Uncertainty uncertainty;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "localization/free_space.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include <slamicp/map/ray_checker.hpp>
 
 namespace slamicp {
 
@@ -10,6 +10,7 @@ RayChecker::RayChecker(const IndexedPoints<2>& map, double match_distance, doubl
     : points_(map),
       match_distance_(match_distance),
       on_surface_(std::clamp(4.0 * noise, std::min(0.03, 0.5 * match_distance), 0.5 * match_distance)),
+      step_(std::min(match_distance, map.cells().cell_options().reach)),
       touch_(std::clamp(0.75 * points_.spacing(), std::min(0.01, 0.5 * match_distance), 0.5 * match_distance)) {}
 
 RayEnd RayChecker::end_of(const Point2& to) const noexcept {
@@ -38,6 +39,35 @@ bool RayChecker::passes_wall(const Point2& from, const Point2& to) const noexcep
     at += std::max(room, touch_);
   }
   return false;
+}
+
+WallMet RayChecker::first_wall(const Point2& from, const Vector<2>& direction, double start,
+                               double reach) const noexcept {
+  constexpr int most_leaps = 1000;
+  double at = start;
+  for (int leap = 0; leap < most_leaps && at < reach; ++leap) {
+    const Neighbour nearest = points_.nearest(from + at * direction, step_);
+    if (!nearest.found()) {
+      at += step_;
+      continue;
+    }
+    const double room = std::sqrt(nearest.squared_distance);
+    if (room < touch_) return wall_at(nearest.index, from, direction, at);
+    at += room;
+  }
+  return {};
+}
+
+/// The wall that a map point is of, which the ray has come near to.
+WallMet RayChecker::wall_at(int wall, const Point2& from, const Vector<2>& direction, double at) const noexcept {
+  const Surface2 surface = points_.surface(static_cast<std::size_t>(wall));
+  if (!surface.valid()) return {true, at, 0.0};
+  const double steepness = std::abs(surface.normal.dot(direction));
+  const double left = surface.normal.dot(surface.centroid - from - at * direction);
+  const double along = steepness > 0.0 ? left / surface.normal.dot(direction) : 0.0;
+  // A ray that runs beside a wall meets it where it came near.
+  const double most = 2.0 * touch_ / std::max(steepness, 0.1);
+  return {true, at + std::clamp(along, -most, most), steepness};
 }
 
 /// True if the wall that a map point is of stands between both places, and not just beside one of them.

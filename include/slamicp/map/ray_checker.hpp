@@ -8,7 +8,18 @@ namespace slamicp {
 /// What the map has where a ray ends: a surface, one near by, nothing.
 enum class RayEnd { explained, beside, open };
 
-/// Holds rays against a map, one at a time.
+/// Where a ray meets a mapped wall.
+struct WallMet {
+  bool met = false;
+  double distance = 0.0;  ///< from the ray's start, along the ray [m]
+  /// How steeply: the sine of the angle between ray and wall; 0 where the map has no direction for the wall there.
+  double steepness = 0.0;
+
+  /// False where the ray grazes the wall, so that a small error decides whether it meets it at all.
+  bool sure() const noexcept { return steepness > 0.1; }
+};
+
+/// Holds rays against a map, one at a time. Keeps a reference to the map.
 class RayChecker {
  public:
   /// @param match_distance  a ray that ends closer to a map point than this ends near a surface [m]
@@ -22,12 +33,20 @@ class RayChecker {
   /// @param from, to  in the map [m]
   bool passes_wall(const Point2& from, const Point2& to) const noexcept;
 
+  /// The first wall that a ray meets, between `start` and `reach` from where it begins. O(length of the way) where no
+  /// walls are near; near one a search each step.
+  /// @param from       in the map [m]
+  /// @param direction  unit length
+  WallMet first_wall(const Point2& from, const Vector<2>& direction, double start, double reach) const noexcept;
+
  private:
+  WallMet wall_at(int wall, const Point2& from, const Vector<2>& direction, double at) const noexcept;
   bool parts(int wall, const Point2& from, const Point2& to) const noexcept;
 
   const IndexedPoints<2>& points_;
   double match_distance_;
   double on_surface_;  // farther from a line than this a point is beside it [m]
+  double step_;        // how far a search looks [m]: as far as the map answers at once
   double touch_;       // a ray that passes a map point closer than this meets what it is a point of [m]
 };
 
