@@ -25,7 +25,7 @@ namespace {
 struct LocalizeWords {
   std::string log, map, trajectory, outliers, obstacles, metrics, update_map, report, json;
   std::optional<Pose2> initial_pose;
-  std::optional<double> outlier_distance;
+  std::optional<double> outlier_distance, obstacle_distance;
   ScanLogOptions reading;
   MatchOptions match;
   MotionOptions motion;
@@ -38,6 +38,7 @@ LocalizerOptions localizer_options(const LocalizeWords& words) {
   options.method = words.match.method;
   options.max_correspondence_distance = words.match.max_correspondence_distance;
   options.outlier_distance = words.outlier_distance;
+  options.obstacle_distance = words.obstacle_distance;
   options.max_iterations = words.match.max_iterations;
   options.ranges = words.match.ranges;
   options.use_odometry = words.motion.use_odometry;
@@ -63,7 +64,7 @@ class Tables {
         metrics_(open<MetricsRow>(words.metrics)) {}
 
   void add(std::size_t scan_number, const Fix& fix, const LaserScan& scan, double time_us) {
-    if (outliers_) add_outliers(scan_number, fix);
+    if (outliers_) add_outliers(scan_number, fix, scan);
     if (obstacles_) add_obstacles(scan_number, fix, scan);
     if (!metrics_) return;
     const Matrix<3, 3> covariance = fix.covariance_in_map();
@@ -85,7 +86,8 @@ class Tables {
     return file.empty() ? nullptr : std::make_unique<CsvTable<Row>>(file);
   }
 
-  void add_outliers(std::size_t scan_number, const Fix& fix) {
+  void add_outliers(std::size_t scan_number, const Fix& fix, const LaserScan& scan) {
+    const std::vector<RayClass> classes = classify_outliers(fix, scan);
     for (std::size_t k = 0; k < fix.outliers().size(); ++k) {
       const auto point = static_cast<std::size_t>(fix.outliers()[k]);
       OutlierRow row;
@@ -95,6 +97,7 @@ class Tables {
       row.x = fix.outliers_in_map()[k].x();
       row.y = fix.outliers_in_map()[k].y();
       row.distance = fix.match.matches[point].distance;
+      row.kind = to_string(classes[k]);
       outliers_->add(row);
     }
   }
@@ -106,13 +109,14 @@ class Tables {
       row.scan = scan_number;
       row.stamp = fix.stamp;
       row.id = id++;
-      row.kind = "unknown";
-      row.x = obstacle.box.centre.x();
-      row.y = obstacle.box.centre.y();
-      row.width = obstacle.box.width;
-      row.depth = obstacle.box.depth;
-      row.heading = obstacle.box.heading;
-      row.radius = 0.5 * std::hypot(obstacle.box.width, obstacle.box.depth);
+      const Shape& shape = obstacle.shape;
+      row.kind = to_string(shape.kind);
+      row.x = shape.centre.x();
+      row.y = shape.centre.y();
+      row.width = shape.width;
+      row.depth = shape.depth;
+      row.heading = shape.heading;
+      row.radius = shape.kind == ShapeKind::circle ? shape.radius : 0.5 * std::hypot(shape.width, shape.depth);
       row.points = obstacle.points.size();
       row.state = "unknown";
       obstacles_->add(row);
@@ -245,6 +249,10 @@ void add_localize(CLI::App& program) {
   verb->add_option("--outlier-distance", words->outlier_distance,
                    "points at least this far from every map point are outliers: the paper's O_t [m]; default: "
                    "--max-correspondence-distance")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--obstacle-distance", words->obstacle_distance,
+                   "an obstacle is at least this far from the map's surface [m]; default: from the noise, four sigma, "
+                   "0.05 at least")
       ->check(CLI::PositiveNumber);
   add_log_options(*verb, words->reading);
   add_config(*verb);

@@ -66,12 +66,18 @@ class Localize(CommandTest):
             self.assertAlmostEqual(float(row["theta"]), pose[3], places=5)
         outliers = self.table("outliers.csv", OUTLIERS_HEADER)
         for row in outliers:
-            self.assertEqual(row["kind"], "unknown")
+            self.assertIn(row["kind"], ("obstacle", "gone", "unmapped", "unknown"))
             self.assertLess(int(row["beam"]), 1081)
             self.assertGreaterEqual(float(row["distance"]), 0.3)
         self.assertEqual(len(outliers), sum(int(row["outliers"]) for row in metrics))
+        obstacles = [row for row in outliers if row["kind"] == "obstacle"]
+        self.assertGreater(len(obstacles), 0.95 * len(outliers))
+        kinds = set()
         for row in self.table("obstacles.csv", OBSTACLES_HEADER):
             self.assertGreater(float(row["radius"]), 0.0)
+            kinds.add(row["kind"])
+        self.assertIn("box", kinds)
+        self.assertLessEqual(kinds, {"line", "circle", "box", "unknown"})
         self.assertEqual(self.summary("info", "updated.pcd")["points"], self.start["map_points"] + len(outliers))
         self.assertTrue(self.read("report.html").rstrip().endswith("</html>"))
 
@@ -84,6 +90,15 @@ class Localize(CommandTest):
         self.assertLess(error["translation"]["max"], 0.03)
         largest = max(self.table("obstacles.csv", OBSTACLES_HEADER), key=lambda row: int(row["points"]))
         self.assertLess(math.hypot(float(largest["x"]) - 9.0, float(largest["y"]) - 0.3), 0.3)
+
+    def test_the_obstacle_distance_decides_obstacles_and_leaves_outliers(self):
+        words = ("localize", "run.clf", "--map", "map.csv", "--initial-pose", self.pose)
+        by_noise = self.summary(*words, "--obstacles", "obstacles.csv")
+        far = self.summary(*words, "--obstacles", "far.csv", "--obstacle-distance", "0.6")
+        self.assertEqual(by_noise["outliers_mean"], far["outliers_mean"])
+        points = [sum(int(row["points"]) for row in self.table(file, OBSTACLES_HEADER))
+                  for file in ("obstacles.csv", "far.csv")]
+        self.assertGreater(points[0], points[1])
 
     def test_outliers_are_those_of_brute_force_at_the_pose_that_was_written(self):
         points = self.numbers("map.csv")[::12]  # thin, so that looking at all pairs takes a second
