@@ -15,6 +15,7 @@
 #include <slamicp/obstacles/find_obstacles.hpp>
 
 #include "output.hpp"
+#include "proposals.hpp"
 #include "report.hpp"
 #include "verbs.hpp"
 #include "words.hpp"
@@ -23,7 +24,7 @@ namespace slamicp::command {
 namespace {
 
 struct LocalizeWords {
-  std::string log, map, trajectory, outliers, obstacles, metrics, update_map, report, json;
+  std::string log, map, trajectory, outliers, obstacles, metrics, update_map, proposals, report, json;
   std::optional<Pose2> initial_pose;
   std::optional<double> outlier_distance, obstacle_distance;
   ScanLogOptions reading;
@@ -174,6 +175,9 @@ std::string told(const OdometryCalibration<OdometryScale>& found) {
 }
 
 void run(const LocalizeWords& words) {
+  if (!words.proposals.empty() && !words.update_map.empty())
+    throw Error("--proposals and --update-map do not go together", "slamicp localize",
+                "propose first; a map that grows has nothing left to propose");
   const ScanLog log = open_scan_log(words.log, words.reading);
   warn(log.warnings);
   if (log.empty()) throw Error("the log holds no scan", words.log, "see 'slamicp info'");
@@ -184,6 +188,8 @@ void run(const LocalizeWords& words) {
 
   Tables tables(words);
   OdometryCalibrator wheels;
+  ObstacleFinder finder;
+  MapChanges changes;
   RunRecord record;
   record.log = words.log;
   record.map_file = words.map;
@@ -200,6 +206,7 @@ void run(const LocalizeWords& words) {
       tables.add(number, fix, log[number], time_us);
       record.add(fix, time_us);
       if (words.calibrate_odometry) wheels.add(log[number], fix);
+      if (!words.proposals.empty()) changes.add(fix, log[number], finder.find(fix, log[number]));
       // What a blind direction was guessed for must not get into the map.
       if (!words.update_map.empty() && fix.usable() && fix.carried_by == Carrier::scan)
         localizer.set_map(update_with_outliers<2>(fix.map, fix.match));
@@ -212,11 +219,15 @@ void run(const LocalizeWords& words) {
   tables.commit();
   if (!words.trajectory.empty()) save_trajectory(words.trajectory, record.trajectory);
   if (!words.update_map.empty()) save_map(words.update_map, *localizer.map());
+  const std::vector<ProposedChange> proposals = changes.proposals();
+  if (!words.proposals.empty()) write_proposals(words.proposals, record, proposals);
   if (!words.report.empty()) write_report(words.report, record);
   Json results = summary(words, record);
   if (words.recover) results["recoveries"] = recoveries;
   const Talk talk(words.json);
   talk(record.brief());
+  for (const ProposedChange& change : proposals) talk("proposed: " + change.brief());
+  if (!words.proposals.empty()) results["proposals"] = proposals.size();
   if (words.calibrate_odometry) {
     const OdometryCalibration<OdometryScale> found = wheels.calibration();
     results["odometry_calibration"] = calibration_json(found);
@@ -239,6 +250,9 @@ void add_localize(CLI::App& program) {
   verb->add_option("--metrics", words->metrics, "what each match was like")->type_name("CSV");
   verb->add_option("--update-map", words->update_map, "the map with the outliers of usable scans added, step by step")
       ->type_name("MAP_OUT");
+  verb->add_option("--proposals", words->proposals,
+                   "what the map should have or not have, with the evidence: a list, and a picture beside it (.svg)")
+      ->type_name("JSON");
   verb->add_option("--report", words->report, "pictures, figures and charts in one page")->type_name("HTML");
   verb->add_flag("--recover", words->recover,
                  "where the pose is suspect or lost, look around: 3 m, all headings, 2000 places a scan");

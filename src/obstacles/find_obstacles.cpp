@@ -261,6 +261,8 @@ void ObstacleFinder::add(const Look& look, std::size_t from, std::size_t to) {
   const auto back = static_cast<std::size_t>(points.back());
   obstacle.first_end_seen = look.ends_before(front, points.front() - 1, -1);
   obstacle.last_end_seen = look.ends_before(back, points.back() + 1, 1);
+  obstacle.shape = {};
+  if (!options_.shapes) return;
   obstacle.shape = shapes_.find({in_map_, look.in_map(look.origin(front)), look.increment, std::max(look.noise, 0.002),
                                  obstacle.first_end_seen, obstacle.last_end_seen});
 }

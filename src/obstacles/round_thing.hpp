@@ -18,12 +18,19 @@ struct RoundThing {
   static constexpr double flattest = 0.2;
 };
 
+/// How a circle is looked for.
+struct RoundSearch {
+  std::size_t stride = 1;             ///< every so many points take part
+  const RoundThing* start = nullptr;  ///< where to begin; null: at the algebraic circle
+  /// Squared errors, in variances of the noise and summed, that are too many to go on with.
+  double most = std::numeric_limits<double>::infinity();
+};
+
 /// The circle that makes the points' errors along their rays small, bent away from the lasers; nothing where there is
 /// none of 15 mm to 1 m. O(points) a step.
 /// @param lasers  where the points were seen from: one for all, or one for each
 /// @param noise   of a range, 1 sigma [m]
-/// @param most    squared errors, in variances of the noise and summed, that are too many to go on with
 std::optional<RoundThing> fit_round(PointView<2> points, PointView<2> lasers, double noise,
-                                    double most = std::numeric_limits<double>::infinity()) noexcept;
+                                    const RoundSearch& search = {}) noexcept;
 
 }  // namespace slamicp

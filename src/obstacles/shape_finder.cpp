@@ -20,6 +20,7 @@ constexpr double most_error = 9.0;             // mean squared error of a shape,
 constexpr std::size_t least_for_line = 4;
 constexpr std::size_t least_for_bend = 6;
 constexpr std::size_t least_of_side = 3;
+constexpr std::size_t enough_for_circle = 24;
 
 Vector<2> left_of(const Vector<2>& direction) noexcept { return {-direction.y(), direction.x()}; }
 
@@ -234,17 +235,20 @@ class Choice {
   }
 
   void try_circle() noexcept {
-    const auto circle = fit_round(view_.points, {&view_.laser, 1}, view_.range_noise, std::min(most_, best_));
-    if (!circle) return;
-    const double arc = arc_of(view_, *circle);
-    if (arc < least_arc) return;
-    Misfit misfit(view_);
-    for (const Point2& point : view_.points) {
-      const Vector<2> off = point - circle->centre;
-      const double distance = std::max(off.norm(), 1e-9);
-      misfit.add(point, distance - circle->radius, off / distance);
-    }
-    if (is_best(misfit, 3)) tell_circle(view_, *circle, arc, shape_);
+    // Some of many points tell whether it is a circle; all of them then say which.
+    const std::size_t stride = std::max<std::size_t>(1, view_.points.size() / enough_for_circle);
+    const std::optional<RoundThing> some =
+        fit_round(view_.points, {&view_.laser, 1}, view_.range_noise, {stride, nullptr, std::min(most_, best_)});
+    if (!some || arc_of(view_, *some) < least_arc || !is_best(misfit_of(*some), 3)) return;
+    tell_circle(view_, *some, arc_of(view_, *some), shape_);
+  }
+
+  /// The last word on what was chosen.
+  void finish() noexcept {
+    if (shape_.kind != ShapeKind::circle || view_.points.size() < 2 * enough_for_circle) return;
+    const RoundThing start{shape_.centre, shape_.radius, Matrix<3, 3>::Zero()};
+    if (const auto all = fit_round(view_.points, {&view_.laser, 1}, view_.range_noise, {1, &start}))
+      tell_circle(view_, *all, arc_of(view_, *all), shape_);
   }
 
   void try_corner(const CornerThing& found, const Point2& mean) noexcept {
@@ -262,6 +266,16 @@ class Choice {
   }
 
  private:
+  Misfit misfit_of(const RoundThing& circle) const noexcept {
+    Misfit misfit(view_);
+    for (const Point2& point : view_.points) {
+      const Vector<2> off = point - circle.centre;
+      const double distance = std::max(off.norm(), 1e-9);
+      misfit.add(point, distance - circle.radius, off / distance);
+    }
+    return misfit;
+  }
+
   bool is_best(const Misfit& misfit, int parameters) noexcept {
     const double criterion = misfit.criterion(parameters);
     if (misfit.sum() > most_ || criterion >= best_) return false;
@@ -335,6 +349,7 @@ Shape ShapeFinder::find(const ViewOfThing& view) {
   const StraightLine first{a.mean, {normal.y(), -normal.x()}};
   const StraightLine second{b.mean, normal};
   choice.try_corner({first, second, split, first.middle + first.along.dot(b.mean - a.mean) * first.along}, all.mean);
+  choice.finish();
   return shape;
 }
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """slamicp simulate, and what follows from it: localize, map, Ctrl-C."""
+import json
 import math
 import os
 import signal
@@ -70,14 +71,8 @@ class Localize(CommandTest):
             self.assertLess(int(row["beam"]), 1081)
             self.assertGreaterEqual(float(row["distance"]), 0.3)
         self.assertEqual(len(outliers), sum(int(row["outliers"]) for row in metrics))
-        obstacles = [row for row in outliers if row["kind"] == "obstacle"]
-        self.assertGreater(len(obstacles), 0.95 * len(outliers))
-        kinds = set()
         for row in self.table("obstacles.csv", OBSTACLES_HEADER):
             self.assertGreater(float(row["radius"]), 0.0)
-            kinds.add(row["kind"])
-        self.assertIn("box", kinds)
-        self.assertLessEqual(kinds, {"line", "circle", "box", "unknown"})
         self.assertEqual(self.summary("info", "updated.pcd")["points"], self.start["map_points"] + len(outliers))
         self.assertTrue(self.read("report.html").rstrip().endswith("</html>"))
 
@@ -93,12 +88,34 @@ class Localize(CommandTest):
 
     def test_the_obstacle_distance_decides_obstacles_and_leaves_outliers(self):
         words = ("localize", "run.clf", "--map", "map.csv", "--initial-pose", self.pose)
-        by_noise = self.summary(*words, "--obstacles", "obstacles.csv")
+        by_noise = self.summary(*words, "--obstacles", "obstacles.csv", "--outliers", "outliers.csv")
         far = self.summary(*words, "--obstacles", "far.csv", "--obstacle-distance", "0.6")
         self.assertEqual(by_noise["outliers_mean"], far["outliers_mean"])
         points = [sum(int(row["points"]) for row in self.table(file, OBSTACLES_HEADER))
                   for file in ("obstacles.csv", "far.csv")]
         self.assertGreater(points[0], points[1])
+        kinds = [row["kind"] for row in self.table("obstacles.csv", OBSTACLES_HEADER)]
+        self.assertIn("box", kinds)
+        self.assertLessEqual(set(kinds), {"line", "circle", "box", "unknown"})
+        classes = [row["kind"] for row in self.table("outliers.csv", OUTLIERS_HEADER)]
+        self.assertGreater(classes.count("obstacle"), 0.95 * len(classes))
+
+    def test_what_came_is_proposed_for_the_map_and_nothing_is_edited(self):
+        # Slower than the other runs: what is gone within three seconds is not proposed.
+        self.done("simulate", "--out", "slow.clf", "--obstacle", "A1", "--speed", "0.6")
+        words = ("localize", "slow.clf", "--map", "map.csv", "--initial-pose", self.pose, "--proposals", "changes.json")
+        before = self.read("map.csv")
+        self.assertEqual(self.summary(*words)["proposals"], 1)
+        proposals = json.loads(self.read("changes.json"))["proposals"]
+        self.assertEqual([proposal["kind"] for proposal in proposals], ["add"])
+        proposal = proposals[0]
+        self.assertLess(math.hypot(proposal["x"] - 9.0, proposal["y"] - 0.3), 0.2)
+        self.assertGreaterEqual(proposal["evidence"]["scans"], 8)
+        self.assertGreaterEqual(proposal["evidence"]["share"], 0.8)
+        self.assertGreater(len(proposal["points"]), 5)
+        self.assertIn("to add", self.read("changes.svg"))
+        self.assertEqual(self.read("map.csv"), before)
+        self.could_not(*words, "--update-map", "new.pcd", says=("--proposals", "--update-map"))
 
     def test_outliers_are_those_of_brute_force_at_the_pose_that_was_written(self):
         points = self.numbers("map.csv")[::12]  # thin, so that looking at all pairs takes a second

@@ -16,7 +16,7 @@ OPTIONS = {
                  "--seed", "--truth", "--map-out", "--picture"),
     "map": ("LOG", "--out", "--resolution", "--trajectory", "--picture") + SHARED,
     "localize": ("LOG", "--map", "--initial-pose", "--trajectory", "--outliers", "--obstacles", "--metrics",
-                 "--update-map", "--report") + SHARED,
+                 "--update-map", "--proposals", "--obstacle-distance", "--report") + SHARED,
     "align": ("SOURCE", "TARGET", "--method", "--initial-pose", "--voxel", "--transform", "--outliers", "--merged"),
     "odometry": ("LOG", "--trajectory", "--picture", "--reference", "--map-radius", "--wheels", "--no-deskew",
                  "--method", "--max-correspondence-distance", "--scan-topic", "--config"),

@@ -27,7 +27,8 @@ struct AgentOptions {
   /// The original form has its own match: of these options it uses the distances, the ranges and use_odometry.
   LocalizerOptions localization = {};
   PathTrackerOptions tracking = {};
-  ObstacleOptions detection = {.min_points = 5};
+  /// Without shapes: the evaluation asks where points are.
+  ObstacleOptions detection = {.min_points = 5, .shapes = false};
   ObstacleEvaluationOptions evaluation = {};
   /// The index of the map is built anew for every scan, as the paper's MATLAB wrapper does; for comparison.
   bool rebuild_index = false;

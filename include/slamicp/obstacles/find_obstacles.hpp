@@ -42,6 +42,8 @@ struct ObstacleOptions {
   double range_noise = 0.01;
   /// The flattest incidence at which a surface still holds together [deg]. Smaller joins more. In (0, 90).
   double min_incidence_deg = 10.0;
+  /// Whether to work out shapes, which take most of the time; else they stay unknown and empty.
+  bool shapes = true;
 
   /// The first rule broken, in words a user can act on; empty if none.
   std::string problem() const;
