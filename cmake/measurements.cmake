@@ -7,6 +7,8 @@ foreach(source IN LISTS measurement_sources)
   get_filename_component(name ${source} NAME_WE)
   add_executable(measure_${name} ${source})
   target_link_libraries(measure_${name} PRIVATE slamicp_io nlohmann_json::nlohmann_json)
+  # What tests know of data, some know too.
+  target_include_directories(measure_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   slamicp_settings_for(measure_${name})
   set_target_properties(measure_${name} PROPERTIES EXCLUDE_FROM_ALL ON UNITY_BUILD OFF)
   add_dependencies(slamicp_measurements measure_${name})
