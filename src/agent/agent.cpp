@@ -13,7 +13,7 @@ constexpr std::size_t usual_obstacles = 32;  // at once; for more, memory is lai
 
 std::string AgentOptions::problem() const {
   for (const std::string& problem :
-       {localization.problem(), tracking.problem(), detection.problem(), evaluation.problem()})
+       {localization.problem(), tracking.problem(), detection.problem(), following.problem(), evaluation.problem()})
     if (!problem.empty()) return problem;
   if (!localization.outputs.outlier_indices) return "localization.outputs must ask for outlier_indices";
   return {};
@@ -25,6 +25,7 @@ struct Agent::State {
       : localization(std::move(how)),
         tracker(std::move(path), options.tracking),
         finder(options.detection),
+        follower(options.following),
         evaluation(options.evaluation),
         clock(std::move(given)) {}
 
@@ -43,6 +44,7 @@ struct Agent::State {
   std::unique_ptr<SelfLocalization> localization;
   PathTracker tracker;
   ObstacleFinder finder;
+  ObstacleTracker follower;
   ObstacleEvaluation evaluation;
   Clock clock;
   Cycle cycle;
@@ -58,9 +60,12 @@ void Agent::State::step(const LaserScan& scan) {
   cycle.times.obstacle_detection = timed([&] {
     localization->find_discrepancies();
     found = finder.find(*cycle.fix, scan);
+    cycle.tracks = follower.update(*cycle.fix, scan, found);
   });
-  cycle.times.obstacle_evaluation =
-      timed([&] { evaluation.update(tracker.path(), cycle.tracking.travelled, *cycle.fix, found); });
+  cycle.times.obstacle_evaluation = timed([&] {
+    evaluation.update(tracker.path(), cycle.tracking.travelled, *cycle.fix, found, cycle.tracks,
+                      tracker.options().speed);
+  });
   cycle.obstacles = evaluation.obstacles();
   cycle.decision = evaluation.decision();
 }
@@ -74,7 +79,8 @@ void Agent::State::lay_out(std::size_t beams) {
 
 void Agent::State::track() {
   const Stop stop = cycle.fix->stop();
-  const bool blind = stop == Stop::no_overlap || stop == Stop::too_few_points;
+  const bool blind =
+      stop == Stop::no_overlap || stop == Stop::too_few_points || cycle.fix->quality.state == TrackingState::lost;
   cycle.tracking = tracker.update(cycle.fix->pose, cycle.fix->stamp, blind ? 0.0 : evaluation.speed_limit());
 }
 
@@ -94,6 +100,8 @@ void Agent::set_pose(const Pose2& pose) {
   if (!pose.is_finite()) throw Error("the pose is not finite", "Agent::set_pose", "give x [m], y [m], heading [rad]");
   state_->localization->set_pose(pose);
 }
+
+Decision Agent::decision_at(double now) const noexcept { return state_->evaluation.decision_at(now); }
 
 const Cycle& Agent::step(const LaserScan& scan) {
   state_->step(scan);

@@ -79,11 +79,16 @@ std::string ObstacleEvaluationOptions::problem() const {
   if (!(slow_distance > stop_distance)) return "slow_distance must be above stop_distance";
   if (!(braking > 0.0)) return "braking must be above 0 m/s^2";
   if (confirmations < 1 || releases < 1) return "confirmations and releases must be at least 1";
+  if (!(stop_time > 0.0)) return "stop_time must be above 0 s";
+  if (!(slow_time > stop_time)) return "slow_time must be above stop_time";
+  if (!(latest > 0.0)) return "latest must be above 0 s";
+  for (const ExclusionZone& zone : exclusion_zones)
+    if (const std::string problem = zone.problem(); !problem.empty()) return problem;
   return {};
 }
 
 ObstacleEvaluation::ObstacleEvaluation(const ObstacleEvaluationOptions& options)
-    : options_(options), speed_limit_(infinity) {
+    : options_(options), speed_limit_(infinity), stamp_(-infinity) {
   if (const std::string problem = options.problem(); !problem.empty())
     throw Error(problem, "ObstacleEvaluationOptions");
 }
@@ -109,6 +114,7 @@ void ObstacleEvaluation::judge(const WayAhead& way, const Fix& fix, EvaluatedObs
   Point2 looked_at = robot;
   for (const int point : it.obstacle.points) {
     const Point2 in_map = rotation * fix.scan.in_robot[static_cast<std::size_t>(point)] + robot;
+    if (!options_.exclusion_zones.empty() && is_excluded(in_map, fix)) continue;
     if (spare > 0.0 && (in_map - looked_at).squaredNorm() < spare * spare) continue;
     const Place place = way.nearest(in_map);
     if (place.aside < options_.corridor_half_width) it.ahead = std::min(it.ahead, place.ahead);
@@ -125,8 +131,52 @@ void ObstacleEvaluation::judge(const WayAhead& way, const Fix& fix, EvaluatedObs
     it.decision = Decision::slow;
 }
 
+bool ObstacleEvaluation::is_excluded(const Point2& in_map, const Fix& fix) const noexcept {
+  return std::any_of(options_.exclusion_zones.begin(), options_.exclusion_zones.end(),
+                     [&](const ExclusionZone& zone) { return zone.contains(in_map, fix.pose); });
+}
+
+/// Until a track that goes on as it does meets the robot that follows its path, or that has stopped where it is.
+double ObstacleEvaluation::seconds_to(const Track& track, const SplinePath& path, double travelled, const Fix& fix,
+                                      double speed) const noexcept {
+  constexpr double step = 0.1;  // [s]
+  const double reach = options_.corridor_half_width + 0.5 * track.width;
+  for (double seconds = 0.0; seconds <= options_.slow_time; seconds += step) {
+    const Point2 there = track.position + seconds * track.velocity;
+    const Point2 on_the_way = path.at(std::min(travelled + seconds * speed, path.length())).translation();
+    if ((there - on_the_way).norm() < reach || (there - fix.pose.translation()).norm() < reach) return seconds;
+  }
+  return infinity;
+}
+
+/// @param nearest  along the path, of what the robot would meet [m]
+Decision ObstacleEvaluation::judge_tracks(const SplinePath& path, double travelled, const Fix& fix,
+                                          std::span<const Track> tracks, double speed, double& nearest) {
+  Decision worst = Decision::ignore;
+  for (const Track& track : tracks) {
+    const bool moves = track.motion == TrackMotion::moving && track.state != TrackState::tentative;
+    const double seconds =
+        moves && !is_excluded(track.position, fix) ? seconds_to(track, path, travelled, fix, speed) : infinity;
+    const Decision decision = seconds < options_.stop_time ? Decision::stop
+                              : seconds < infinity         ? Decision::slow
+                                                           : Decision::ignore;
+    for (const int seen_as : track.obstacles) {
+      if (seen_as < 0 || static_cast<std::size_t>(seen_as) >= count_) continue;
+      EvaluatedObstacle& it = evaluated_[static_cast<std::size_t>(seen_as)];
+      it.track = track.id;
+      it.seconds = seconds;
+      it.decision = std::max(it.decision, decision);
+    }
+    worst = std::max(worst, decision);
+    if (decision == Decision::stop) nearest = 0.0;
+    if (decision == Decision::slow)  // the later, the faster the robot may go until then
+      nearest = std::min(nearest, options_.stop_distance + speed * (seconds - options_.stop_time));
+  }
+  return worst;
+}
+
 void ObstacleEvaluation::update(const SplinePath& path, double travelled, const Fix& fix,
-                                std::span<const Obstacle> obstacles) {
+                                std::span<const Obstacle> obstacles, std::span<const Track> tracks, double speed) {
   const WayAhead way(path, travelled, travelled + reach());
   Decision worst = Decision::ignore;
   double nearest = infinity;
@@ -134,13 +184,25 @@ void ObstacleEvaluation::update(const SplinePath& path, double travelled, const 
   count_ = obstacles.size();
   for (std::size_t k = 0; k < count_; ++k) {
     evaluated_[k].obstacle = obstacles[k];
+    evaluated_[k].track = 0;
+    evaluated_[k].seconds = infinity;
     judge(way, fix, evaluated_[k]);
     worst = std::max(worst, evaluated_[k].decision);
     nearest = std::min(nearest, evaluated_[k].ahead);
   }
+  const Decision of_tracks = judge_tracks(path, travelled, fix, tracks, speed, nearest);
+  worst = std::max(worst, of_tracks);
+  const Stop stop = fix.stop();
+  const bool is_blind =
+      stop == Stop::no_overlap || stop == Stop::too_few_points || fix.quality.state == TrackingState::lost;
+  if (is_blind) {
+    worst = Decision::stop;
+    nearest = 0.0;
+  }
+  stamp_ = fix.stamp;
   in_a_row_ = worst == Decision::ignore ? 0 : in_a_row_ + 1;
   clear_ = worst == Decision::ignore ? clear_ + 1 : 0;
-  if (in_a_row_ >= options_.confirmations) {
+  if (in_a_row_ >= options_.confirmations || of_tracks != Decision::ignore || is_blind) {
     decision_ = worst;
     // So slow that braking ends before the distance to keep.
     speed_limit_ = std::sqrt(2.0 * options_.braking * std::max(0.0, nearest - options_.stop_distance));
@@ -148,6 +210,10 @@ void ObstacleEvaluation::update(const SplinePath& path, double travelled, const 
     decision_ = Decision::ignore;
     speed_limit_ = infinity;
   }
+}
+
+Decision ObstacleEvaluation::decision_at(double now) const noexcept {
+  return now - stamp_ <= options_.latest ? decision_ : Decision::stop;
 }
 
 }  // namespace slamicp

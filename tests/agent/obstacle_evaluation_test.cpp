@@ -23,6 +23,7 @@ struct Scene {
 
 Scene scene(double travelled, const Point2& place, double size, test::Random& random) {
   Scene made;
+  made.fix.match.stop = Stop::converged;
   made.fix.pose = path().at(travelled) * Pose2{0.0, 0.02, 0.1};
   made.obstacle.box = {place, 2.0 * size, 2.0 * size, 0.0};
   for (int k = 0; k < 60; ++k) {
@@ -82,6 +83,104 @@ TEST(ObstacleEvaluation, KeepsNothingOfTheScanBefore) {
   evaluation.update(path(), 3.0, far.fix, {&far.obstacle, 1});
   EXPECT_EQ(evaluation.obstacles()[0].decision, Decision::ignore);
   EXPECT_TRUE(std::isinf(evaluation.obstacles()[0].ahead));
+}
+
+/// A fix that can be used, on the path.
+Fix good_fix(double travelled, double stamp) {
+  Fix fix;
+  fix.stamp = stamp;
+  fix.pose = path().at(travelled);
+  fix.match.stop = Stop::converged;
+  return fix;
+}
+
+Track walker(const Point2& position, const Vector<2>& velocity) {
+  Track track;
+  track.id = 7;
+  track.kind = TrackKind::person;
+  track.motion = TrackMotion::moving;
+  track.state = TrackState::confirmed;
+  track.position = position;
+  track.velocity = velocity;
+  track.width = 0.4;
+  return track;
+}
+
+TEST(ObstacleEvaluation, WhoWillCrossTheWayHoldsTheRobotBackBeforeTheyAreOnIt) {
+  ObstacleEvaluation evaluation;
+  const Pose2 ahead = path().at(3.9);
+  const double speed = 0.4;
+  const auto decide = [&](double aside, double velocity) {
+    ObstacleEvaluation fresh;
+    const Vector<2> to_the_right = ahead.rotation() * Vector<2>(0.0, velocity);
+    const Track track = walker(ahead * Point2(0.0, aside), to_the_right);
+    fresh.update(path(), 3.0, good_fix(3.0, 1.0), {}, {&track, 1}, speed);
+    return fresh.decision();
+  };
+  EXPECT_EQ(decide(3.0, -1.2), Decision::slow) << "there in two seconds, as the robot is";
+  EXPECT_EQ(decide(3.0, 1.2), Decision::ignore) << "they walk away";
+  EXPECT_EQ(decide(8.0, -1.2), Decision::ignore) << "they come later";
+  const Track near = walker(path().at(3.0) * Point2(0.0, 1.3), path().at(3.0).rotation() * Vector<2>(0.0, -1.2));
+  evaluation.update(path(), 3.0, good_fix(3.0, 1.0), {}, {&near, 1}, speed);
+  EXPECT_EQ(evaluation.decision(), Decision::stop) << "at the robot itself in less than a second, at once";
+  EXPECT_EQ(evaluation.speed_limit(), 0.0);
+}
+
+TEST(ObstacleEvaluation, OnlyConfirmedTracksThatMoveAreThoughtAhead) {
+  Track track = walker(path().at(3.0) * Point2(0.0, 1.3), path().at(3.0).rotation() * Vector<2>(0.0, -1.2));
+  track.state = TrackState::tentative;
+  ObstacleEvaluation evaluation;
+  evaluation.update(path(), 3.0, good_fix(3.0, 1.0), {}, {&track, 1}, 0.4);
+  EXPECT_EQ(evaluation.decision(), Decision::ignore);
+  track.state = TrackState::confirmed;
+  track.motion = TrackMotion::still;
+  evaluation.update(path(), 3.0, good_fix(3.0, 1.1), {}, {&track, 1}, 0.4);
+  EXPECT_EQ(evaluation.decision(), Decision::ignore);
+}
+
+TEST(ObstacleEvaluation, BlindLostOrLateItStops) {
+  ObstacleEvaluation evaluation({.confirmations = 1, .releases = 2});
+  EXPECT_EQ(evaluation.decision_at(0.0), Decision::stop) << "no scan yet";
+  evaluation.update(path(), 3.0, good_fix(3.0, 1.0), {});
+  EXPECT_EQ(evaluation.decision_at(1.2), Decision::ignore);
+  EXPECT_EQ(evaluation.decision_at(1.6), Decision::stop) << "the next scan is late";
+  Fix fix = good_fix(3.0, 1.1);
+  fix.match.stop = Stop::no_overlap;
+  evaluation.update(path(), 3.0, fix, {});
+  EXPECT_EQ(evaluation.decision(), Decision::stop);
+  evaluation.update(path(), 3.0, good_fix(3.0, 1.2), {});
+  EXPECT_EQ(evaluation.decision(), Decision::stop) << "one clear scan is not enough";
+  evaluation.update(path(), 3.0, good_fix(3.0, 1.3), {});
+  EXPECT_EQ(evaluation.decision(), Decision::ignore);
+  fix = good_fix(3.0, 1.4);
+  fix.quality.state = TrackingState::lost;
+  evaluation.update(path(), 3.0, fix, {});
+  EXPECT_EQ(evaluation.decision(), Decision::stop);
+  EXPECT_EQ(evaluation.speed_limit(), 0.0);
+}
+
+TEST(ObstacleEvaluation, WhatIsInAnExclusionZoneCountsForNothing) {
+  test::Random random(3);
+  const Scene near = scene(3.0, path().at(3.4).translation(), 0.1, random);
+  const auto decision_with = [&](const ExclusionZone& zone) {
+    ObstacleEvaluationOptions options{.confirmations = 1};
+    options.exclusion_zones = {zone};
+    ObstacleEvaluation evaluation(options);
+    Fix fix = near.fix;
+    fix.match.stop = Stop::converged;
+    const Track track = walker(near.obstacle.box.centre, {0.1, 0.0});
+    evaluation.update(path(), 3.0, fix, {&near.obstacle, 1}, {&track, 1}, 0.3);
+    return evaluation.decision();
+  };
+  const std::vector<Point2> before_the_robot = {{0.1, -0.4}, {0.8, -0.4}, {0.8, 0.4}, {0.1, 0.4}};
+  EXPECT_EQ(decision_with({before_the_robot, true}), Decision::ignore);
+  std::vector<Point2> behind = before_the_robot;
+  for (Point2& corner : behind) corner = -corner;
+  EXPECT_EQ(decision_with({behind, true}), Decision::stop);
+  std::vector<Point2> in_map;
+  for (const Point2& corner : before_the_robot) in_map.push_back(near.fix.pose * corner);
+  EXPECT_EQ(decision_with({in_map, false}), Decision::ignore);
+  EXPECT_FALSE((ObstacleEvaluationOptions{.exclusion_zones = {{{{0.0, 0.0}}, true}}}).problem().empty());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <slamicp/localization/localizer.hpp>
 #include <slamicp/navigation/path_tracker.hpp>
 #include <slamicp/obstacles/find_obstacles.hpp>
+#include <slamicp/obstacles/obstacle_tracker.hpp>
 
 namespace slamicp {
 
@@ -29,6 +30,7 @@ struct AgentOptions {
   PathTrackerOptions tracking = {};
   /// Without shapes: the evaluation asks where points are.
   ObstacleOptions detection = {.min_points = 5, .shapes = false};
+  ObstacleTrackerOptions following = {};  ///< of obstacles from scan to scan
   ObstacleEvaluationOptions evaluation = {};
   /// The index of the map is built anew for every scan, as the paper's MATLAB wrapper does; for comparison.
   bool rebuild_index = false;
@@ -53,6 +55,7 @@ struct Cycle {
   Tracking tracking;         ///< where it is on its way, and what the motors are told
   /// What stands there that the map does not know; good until the next step.
   std::span<const EvaluatedObstacle> obstacles;
+  std::span<const Track> tracks;  ///< the same from scan to scan; good until the next step
   Decision decision = Decision::ignore;
   CycleTimes times;
 };
@@ -62,7 +65,8 @@ using Clock = std::function<double()>;
 
 /// A robot's software agent: from each scan, one control cycle of self-localization, path tracking, obstacle detection
 /// and obstacle evaluation, in this order. What the evaluation finds holds back the path tracking of the next cycle,
-/// one scan later; a scan that fits nothing (too_few_points, no_overlap) stops the robot.
+/// one scan later; a scan that fits nothing (too_few_points, no_overlap) stops the robot, and so does a pose that is
+/// lost.
 ///
 /// Belongs to one thread. The improved form allocates nothing after the first scan, as long as scans do not grow and no
 /// more than 32 obstacles are seen at once.
@@ -82,6 +86,10 @@ class Agent {
 
   /// One control cycle. What it returns is good until the next.
   const Cycle& step(const LaserScan& scan);
+
+  /// What to do at `now`, in the clock of the scans [s], where the next scan may be late: see
+  /// ObstacleEvaluation::decision_at.
+  Decision decision_at(double now) const noexcept;
 
  private:
   struct State;

@@ -8,7 +8,9 @@
 
 #include <slamicp/localization/fix.hpp>
 #include <slamicp/navigation/spline_path.hpp>
+#include <slamicp/obstacles/exclusion_zone.hpp>
 #include <slamicp/obstacles/find_obstacles.hpp>
+#include <slamicp/obstacles/track.hpp>
 
 namespace slamicp {
 
@@ -30,6 +32,13 @@ struct ObstacleEvaluationOptions {
   int confirmations = 3;
   /// Scans in a row without it before the robot goes on. At least 1.
   int releases = 5;
+  /// What moves and will be where the robot then is, or where it stands, within so long: go slower; stand [s]. It must
+  /// be a track that is confirmed, so no more scans are waited for. stop_time > 0, slow_time > stop_time.
+  double slow_time = 2.5;
+  double stop_time = 1.2;
+  /// Older news than this stops the robot: see decision_at() [s], > 0.
+  double latest = 0.5;
+  std::vector<ExclusionZone> exclusion_zones = {};  ///< what is seen there counts for nothing
 
   /// The first rule broken, in words a user can act on; empty if none.
   std::string problem() const;
@@ -42,6 +51,9 @@ struct EvaluatedObstacle {
   /// Of the point that is nearest to the way ahead, positive to the left [m]; infinity where nothing is near it.
   double cross_track = 0.0;
   Decision decision = Decision::ignore;
+  int track = 0;  ///< id of the track that it was seen as; 0: none
+  /// Until its track and the robot meet, as both go on now [s]; infinity where they do not, or it does not move.
+  double seconds = 0.0;
 };
 
 /// Judges obstacles by the path that the robot is about to drive: the last subtask of the paper's agent (Figure 9).
@@ -53,9 +65,14 @@ class ObstacleEvaluation {
   /// Room for so many obstacles at once, of so many points each: up to these, update() allocates nothing.
   void reserve(std::size_t obstacles, std::size_t points);
 
+  /// Fail-safe: a fix that is blind (too_few_points, no_overlap) or lost stops the robot at once, and so long as it
+  /// lasts; then `releases` scans must be clear before it goes on.
   /// @param travelled  where the robot is on the path [m]
+  /// @param tracks     of these obstacles, by the same fix; without them nothing is known to move
+  /// @param speed      that the robot goes along the path if nothing holds it back [m/s]
   /// O(points of the obstacles).
-  void update(const SplinePath& path, double travelled, const Fix& fix, std::span<const Obstacle> obstacles);
+  void update(const SplinePath& path, double travelled, const Fix& fix, std::span<const Obstacle> obstacles,
+              std::span<const Track> tracks = {}, double speed = 0.0);
 
   /// Those of the last update, as they came. Good until the next.
   std::span<const EvaluatedObstacle> obstacles() const noexcept { return {evaluated_.data(), count_}; }
@@ -63,6 +80,9 @@ class ObstacleEvaluation {
   Decision decision() const noexcept { return decision_; }
   /// What that leaves of its speed [m/s]: infinity to ignore, 0 to stop.
   double speed_limit() const noexcept { return speed_limit_; }
+  /// The decision for whoever asks at `now`, in the clock of the scans [s]: stop where the last scan is older than
+  /// `latest`, or was never. For a watchdog between the scans, which may have ceased to come.
+  Decision decision_at(double now) const noexcept;
 
  private:
   class WayAhead;
@@ -70,6 +90,11 @@ class ObstacleEvaluation {
   /// How far ahead things matter [m].
   double reach() const noexcept { return options_.slow_distance + options_.corridor_half_width; }
   void judge(const WayAhead& way, const Fix& fix, EvaluatedObstacle& it) const;
+  double seconds_to(const Track& track, const SplinePath& path, double travelled, const Fix& fix,
+                    double speed) const noexcept;
+  Decision judge_tracks(const SplinePath& path, double travelled, const Fix& fix, std::span<const Track> tracks,
+                        double speed, double& nearest);
+  bool is_excluded(const Point2& in_map, const Fix& fix) const noexcept;
 
   ObstacleEvaluationOptions options_;
   std::vector<EvaluatedObstacle> evaluated_;  // the first count_ of them; the others are kept for their memory
@@ -78,6 +103,7 @@ class ObstacleEvaluation {
   double speed_limit_;
   int in_a_row_ = 0;  // scans that show something on the way
   int clear_ = 0;     // scans that do not
+  double stamp_;      // of the last scan [s]
 };
 
 }  // namespace slamicp
