@@ -13,6 +13,7 @@
 #include <slamicp/localization/localizer.hpp>
 #include <slamicp/localization/odometry_calibrator.hpp>
 #include <slamicp/obstacles/find_obstacles.hpp>
+#include <slamicp/obstacles/obstacle_tracker.hpp>
 
 #include "output.hpp"
 #include "proposals.hpp"
@@ -104,12 +105,20 @@ class Tables {
   }
 
   void add_obstacles(std::size_t scan_number, const Fix& fix, const LaserScan& scan) {
-    int id = 0;
-    for (const Obstacle& obstacle : find_obstacles(fix, scan)) {
+    const std::vector<Obstacle> found = find_obstacles(fix, scan);
+    const std::span<const Track> tracks = tracker_.update(fix, scan, found);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const Obstacle& obstacle = found[k];
       ObstacleRow row;
       row.scan = scan_number;
       row.stamp = fix.stamp;
-      row.id = id++;
+      row.state = "unknown";
+      for (const Track& track : tracks)
+        if (track.obstacles[0] == static_cast<int>(k) || track.obstacles[1] == static_cast<int>(k)) {
+          row.id = track.id;
+          row.speed = track.speed();
+          row.state = word_of(track);
+        }
       const Shape& shape = obstacle.shape;
       row.kind = to_string(shape.kind);
       row.x = shape.centre.x();
@@ -119,11 +128,11 @@ class Tables {
       row.heading = shape.heading;
       row.radius = shape.kind == ShapeKind::circle ? shape.radius : 0.5 * std::hypot(shape.width, shape.depth);
       row.points = obstacle.points.size();
-      row.state = "unknown";
       obstacles_->add(row);
     }
   }
 
+  ObstacleTracker tracker_;
   std::unique_ptr<CsvTable<OutlierRow>> outliers_;
   std::unique_ptr<CsvTable<ObstacleRow>> obstacles_;
   std::unique_ptr<CsvTable<MetricsRow>> metrics_;

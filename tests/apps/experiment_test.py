@@ -104,6 +104,25 @@ class Experiment(CommandTest):
         self.wrong_words("experiment", "velocity", "--out", "x", "--speeds", "-1")
         self.could_not("experiment", "table1", "--out", "x", "--obstacles", "E1", says=("E1", "A1 to D3"))
 
+    def test_crowd_fewer_surroundings_are_known_the_more_people_there_are(self):
+        told = self.experiment("crowd", "crowd", "--people", "0,20")
+        layouts = ["crossing", "along", "groups", "random_walk"]
+        self.check_files("crowd", "crowd", [f"crowd_{layout}_{what}" for layout in layouts
+                                            for what in ("outliers", "awareness")])
+        self.assertEqual([drive["layout"] for drive in told["drives"][::2]], layouts)
+        for none, many in zip(told["drives"][::2], told["drives"][1::2]):
+            self.assertEqual((none["people"], many["people"]), (0, 20))
+            self.assertLess(none["outliers"], 5)
+            self.assertGreater(many["outliers"], 100)
+            self.assertGreater(none["awareness"], 0.98)
+            self.assertLess(many["awareness"], 0.9)
+            self.assertLess(many["error_mean"], none["error_mean"] + 0.005)
+            self.assertEqual(none["false_stops"], 0)
+            self.assertEqual(none["stopped"], 0)
+        self.assertGreater(told["correlation_people_outliers"], 0.9)
+        self.assertLess(told["correlation_outliers_awareness"], -0.7)
+        self.assertEqual(len({(row["layout"], row["people"]) for row in self.rows("crowd/crowd.csv")}), 8)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -85,6 +85,11 @@ class Localize(CommandTest):
         self.assertLess(error["translation"]["max"], 0.03)
         largest = max(self.table("obstacles.csv", OBSTACLES_HEADER), key=lambda row: int(row["points"]))
         self.assertLess(math.hypot(float(largest["x"]) - 9.0, float(largest["y"]) - 0.3), 0.3)
+        # The same one from scan to scan, and it stands.
+        of_it = [row for row in self.table("obstacles.csv", OBSTACLES_HEADER) if row["id"] == largest["id"]]
+        self.assertGreater(len(of_it), 40)
+        self.assertEqual({row["state"] for row in of_it}, {"tentative", "undecided", "static"})
+        self.assertEqual({float(row["speed"]) for row in of_it}, {0.0})
 
     def test_the_obstacle_distance_decides_obstacles_and_leaves_outliers(self):
         words = ("localize", "run.clf", "--map", "map.csv", "--initial-pose", self.pose)

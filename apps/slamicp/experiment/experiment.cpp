@@ -24,7 +24,8 @@ constexpr Experiment experiments[] = {
     {"velocity", "Figures 11, 12, 14, 15: outliers and inlier distance at several speeds", &run_velocity},
     {"snapshots", "Figures 10, 13: inliers and outliers from three places", &run_snapshots},
     {"maps", "Figures 2 to 8: scans, site, obstacles, maps", &run_maps},
-    {"reconstruction", "Figure 16: the shapes of obstacles", &run_reconstruction}};
+    {"reconstruction", "Figure 16: the shapes of obstacles", &run_reconstruction},
+    {"crowd", "people about the robot: outliers, awareness, accuracy, false stops", &run_crowd}};
 
 std::vector<std::string> names() {
   std::vector<std::string> all;
@@ -78,6 +79,10 @@ void add_experiment(CLI::App& program) {
                    "which ones, A1 to D3, besides none; default: those of the paper's experiment")
       ->delimiter(',')
       ->type_name("A1..D3");
+  verb->add_option("--people", words->people, "how many in each drive (crowd)")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000));
   verb->add_option("--every", words->every,
                    "of so many scans show both agents one (table1): the original one compares by brute force")
       ->capture_default_str()

@@ -21,6 +21,7 @@ struct ExperimentWords {
   int runs = 3;
   std::size_t every = 75;
   std::vector<double> speeds = {0.15, 0.25, 0.35, 0.45, 0.55};
+  std::vector<int> people = {0, 5, 10, 20, 40, 60};
   std::vector<std::string> obstacles;  // empty: those of the paper's experiment
   bool times = true;
 
@@ -86,6 +87,7 @@ Json run_table1(const ExperimentWords& words, const ExperimentSite& site, const 
 Json run_velocity(const ExperimentWords& words, const ExperimentSite& site, const Folder& folder, const Talk& talk);
 Json run_snapshots(const ExperimentWords& words, const ExperimentSite& site, const Folder& folder, const Talk& talk);
 Json run_maps(const ExperimentWords& words, const ExperimentSite& site, const Folder& folder, const Talk& talk);
+Json run_crowd(const ExperimentWords& words, const ExperimentSite& site, const Folder& folder, const Talk& talk);
 Json run_reconstruction(const ExperimentWords& words, const ExperimentSite& site, const Folder& folder,
                         const Talk& talk);
 
