@@ -69,6 +69,7 @@ struct ObstacleTracker::State {
   void name(Followed& it) const noexcept;
   void begin() noexcept;
   void test(const LaserView& now, const ViewErrors& errors) noexcept;
+  void give_second_legs() noexcept;
   void find_people() noexcept;
   Followed* leg_beside(const Followed& leg) noexcept;
   void join(Followed& a, Followed& b) noexcept;
@@ -194,6 +195,12 @@ void ObstacleTracker::State::miss(Followed& it, const LaserView& now, bool knows
   const bool not_to_be_seen = sight == Sight::hidden || sight == Sight::unseen;
   // Something is there: the map's wall, or what another track was seen as.
   const double between = 0.5 * (options.patience + options.hidden_patience);
+  constexpr double soon = 0.15;                                            // [s]
+  if (!it.moves() && stamp - it.shown.last_seen > soon) it.motion.halt();  // where to it might go is not known
+  if (it.shown.motion == TrackMotion::undecided) {
+    it.patience = options.patience;
+    return;
+  }
   it.patience = sight == Sight::free ? options.patience : not_to_be_seen ? options.hidden_patience : between;
 }
 
@@ -260,12 +267,30 @@ Followed* ObstacleTracker::State::leg_beside(const Followed& leg) noexcept {
   return nearest;
 }
 
+/// Somebody of whom one leg is seen, and a leg beside them that nothing is known of: it is theirs.
+void ObstacleTracker::State::give_second_legs() noexcept {
+  constexpr double apart = 0.5;  // at most, from the middle of both [m]
+  for (std::size_t k = 0; k < followed.size(); ++k) {
+    if (!followed[k].is_person() || !followed[k].seen_at(stamp) || followed[k].shown.obstacles[1] >= 0) continue;
+    const auto leg = std::find_if(followed.begin(), followed.end(), [&](const Followed& it) {
+      return !it.is_person() && it.seen_at(stamp) && it.shown.width <= widest_leg &&
+             it.shown.motion != TrackMotion::still && (it.motion.position - followed[k].motion.position).norm() < apart;
+    });
+    if (leg == followed.end()) continue;
+    followed[k].shown.obstacles[1] = leg->shown.obstacles[0];
+    const auto at = static_cast<std::size_t>(leg - followed.begin());
+    followed.erase(leg);
+    if (at <= k) --k;
+  }
+}
+
 /// Two legs that stay together while they move are somebody.
 void ObstacleTracker::State::find_people() noexcept {
   constexpr int tests = 3;
   constexpr double way = 0.15;  // that the two have come [m]
   if (stamp < next_pairing) return;
   next_pairing = stamp + seconds_between_tests;
+  give_second_legs();
   for (std::size_t k = 0; k < followed.size(); ++k) {
     Followed& leg = followed[k];
     if (leg.shown.kind != TrackKind::leg || !leg.moves() || !leg.seen_at(stamp)) continue;
