@@ -10,9 +10,9 @@ namespace slamicp {
 
 /// What a track is of, by its size and how it moves.
 enum class TrackKind {
-  thing,   ///< anything else
-  leg,     ///< as wide as a leg, 5 to 25 cm: somebody who stands, or a post
-  person,  ///< two legs that moved together, or one thing of 0.25 to 0.8 m that moved
+  thing,   ///< anything else; who has stood since they came into view, too: a leg and a post look the same
+  leg,     ///< 25 cm wide at most, and it has moved, or stands beside a leg that moves
+  person,  ///< two legs that moved together, or one thing of 25 to 80 cm that moved; it stays that when it stands
 };
 
 /// Whether it moves.
