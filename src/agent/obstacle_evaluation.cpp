@@ -83,7 +83,7 @@ std::string ObstacleEvaluationOptions::problem() const {
   if (!(slow_time > stop_time)) return "slow_time must be above stop_time";
   if (!(latest > 0.0)) return "latest must be above 0 s";
   for (const ExclusionZone& zone : exclusion_zones)
-    if (const std::string problem = zone.problem(); !problem.empty()) return problem;
+    if (std::string problem = zone.problem(); !problem.empty()) return problem;
   return {};
 }
 
