@@ -133,7 +133,8 @@ Line CellIndex::State::fit_line(int number) const noexcept {
 }
 
 double CellIndex::State::trust_of(const Surface2& surface, std::span<const Neighbour> found) const noexcept {
-  constexpr double least = 0.2;  // where all lines are poor they hold the pose together
+  constexpr double least = 0.2;       // where all lines are poor they hold the pose together
+  constexpr double thickness = 0.01;  // 1 sigma [m]: what scatters less is a wall as lidars see them
   double squares = 0.0;
   for (const Neighbour& one : found) {
     const double off = surface.normal.dot(points.view()[static_cast<std::size_t>(one.index)] - surface.centroid);
@@ -141,7 +142,8 @@ double CellIndex::State::trust_of(const Surface2& surface, std::span<const Neigh
   }
   // Of n points on a line the sum of squares has n - 2 degrees of freedom.
   const double variance = squares / (static_cast<double>(found.size()) - 2.0);
-  const double usual = surfaces.scatter * line_noise.across * line_noise.across;
+  const double typical = std::max(line_noise.across, thickness);
+  const double usual = surfaces.scatter * typical * typical;
   const double share = usual / variance;
   return share < 1.0 ? std::max(least, share * share) : 1.0;
 }

@@ -28,7 +28,8 @@ class Report(CommandTest):
         for state, count, share, longest in rows:
             self.assertEqual(int(count), states.count(state), state)
             self.assertAlmostEqual(float(share), 100.0 * states.count(state) / len(states), delta=0.06)
-            self.assertEqual(float(longest) > 0.0, states.count(state) > 0, state)
+            if state not in states:
+                self.assertEqual(float(longest), 0.0, state)
         for state in set(states):
             self.assertIn(f">path, {state} ({states.count(state)})<", page)
         for word in ("probability that the pose is right", "standard deviations", "heading [mrad]", "time [s]"):

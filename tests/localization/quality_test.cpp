@@ -92,7 +92,7 @@ TEST(QualityOptionsTest, NamesWhatIsWrong) {
 TEST(LocalizerQualityTest, ALocalizerKnowsThatItIsElsewhereAndFindsItselfAgain) {
   const Scene scene;
   Localizer localizer(scene.map);
-  localizer.set_pose(scene.truth * Pose2{0.9, 0.4, 0.9});
+  localizer.set_pose(scene.truth * Pose2{1.4, 0.5, 1.6});
   Quality quality;
   for (int k = 0; k < 60; ++k) quality = localizer.update(scene.room.scan(scene.truth, 0.025 * k)).quality;
   ASSERT_GT(distance(localizer.fix().pose, scene.truth).translation, 0.3) << "the match found it by itself";

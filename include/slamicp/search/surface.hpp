@@ -37,9 +37,9 @@ struct SurfaceOptions {
   /// `neighbours`.
   int min_neighbours = 5;
   /// In the plane: a line around which its points scatter more than this times as much as they do on the map's median
-  /// line (in variance) counts the less for it: one through a corner, or through both faces of a door leaf, is not
-  /// where a wall is. Too small doubts good walls. Infinite: all lines are trusted alike, see sparse(); so are those
-  /// that change as an index gains and loses points. Above 0.
+  /// line (in variance, and a centimetre at least) counts the less for it: one through a corner, or through both faces
+  /// of a door leaf, is not where a wall is. Too small doubts good walls. Infinite: all lines are trusted alike, see
+  /// sparse(); so are those that change as an index gains and loses points. Above 0.
   double scatter = 1.3;
   /// Threads to use; the result is the same for any number. At least 1.
   int threads = 1;
