@@ -79,6 +79,19 @@ TEST(JudgeTest, ABlindDirectionIsDegenerateAndNoMatchIsDoubted) {
   EXPECT_EQ(quality.state, TrackingState::lost);
 }
 
+TEST(JudgeTest, APoseFollowedForLongIsDoubtedLaterUnlessItSurprised) {
+  const auto doubted_after = [](int good_scans, bool surprised) {
+    Judge judge({});
+    for (int k = 0; k < good_scans; ++k) judge.update(good(), true, true, false);
+    int scans = 1;
+    while (!judge.update(bad(), true, true, surprised && scans == 1).doubted()) ++scans;
+    return scans;
+  };
+  EXPECT_GT(doubted_after(1000, false), doubted_after(40, false));
+  EXPECT_EQ(doubted_after(1000, true), doubted_after(40, true));
+  EXPECT_LT(doubted_after(1000, false), 40) << "within a second all the same";
+}
+
 TEST(QualityOptionsTest, NamesWhatIsWrong) {
   EXPECT_EQ(QualityOptions{}.problem(), "");
   EXPECT_EQ(QualityOptions{.rays = 0}.problem(), "");

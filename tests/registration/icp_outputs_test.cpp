@@ -141,7 +141,7 @@ TEST(IcpOutputsTest, AlignOfTwoCloudsIsAnIcpOverTheirIndex) {
   const Scene scene;
   for (const Method method : {Method::point_to_point, Method::point_to_line}) {
     const IcpResult2 once = align(scene.scan, to_cloud(scene.map.points()), scene.guess, {.method = method});
-    const IndexedPoints<2> map(to_cloud(scene.map.points()), {}, {.eager = false});
+    const IndexedPoints<2> map(to_cloud(scene.map.points()), SurfaceOptions::sparse(), {.eager = false});
     const IcpResult2 kept = Icp<2>({.method = method}).align(map, scene.scan, scene.guess, Outputs::all());
     EXPECT_EQ(once.pose.x, kept.pose.x);
     EXPECT_EQ(once.pose.theta, kept.pose.theta);

@@ -57,6 +57,40 @@ TEST(UncertaintyTest, IsComputedOnlyWhenAskedFor) {
   EXPECT_FALSE(icp.align(map, seen.scan, seen.truth).uncertainty.known);
 }
 
+TEST(UncertaintyTest, AMatchIsSurprisingWhereThePriorCannotBeRight) {
+  const Seen seen(test::simple_room());
+  const IcpResult2 expected = match(seen, {}, prior_at(seen.truth, 0.01));
+  EXPECT_LT(expected.uncertainty.surprise, Uncertainty::credible);
+  EXPECT_EQ(expected.uncertainty.trust_in_prior(), 1.0);
+  const Pose2 elsewhere = seen.truth * Pose2{0.1, 0.0, 0.0};
+  const IcpResult2 surprising = match(seen, {}, prior_at(elsewhere, 0.002));
+  EXPECT_GT(surprising.uncertainty.surprise, 100.0);
+  EXPECT_LT(surprising.uncertainty.trust_in_prior(), 0.1);
+  // The pairs agree with each other: the prior gives way.
+  EXPECT_LT(distance(surprising.pose, seen.truth).translation, 0.01);
+}
+
+TEST(UncertaintyTest, PairsThatAreFewGiveWayToThePriorTheyContradict) {
+  Seen seen(test::simple_room());
+  // Most of what is seen is a crowd in front of the walls.
+  for (std::size_t k = 0; k < seen.scan.size(); ++k)
+    if (k % 3 != 0) seen.scan[k] *= 0.5;
+  const Pose2 elsewhere = seen.truth * Pose2{0.06, 0.0, 0.0};
+  const IcpResult2 result = match(seen, {}, prior_at(elsewhere, 0.002));
+  EXPECT_LT(distance(result.pose, elsewhere).translation, 0.01);
+  EXPECT_LE(result.uncertainty.surprise, Uncertainty::credible);
+}
+
+TEST(UncertaintyTest, AFirstGateKeepsTheMatchNear) {
+  const Seen seen(test::simple_room());
+  PosePrior near = prior_at(seen.truth * Pose2{0.5, 0.2, 0.0}, 10.0);
+  Icp<2> icp;
+  const IndexedPoints<2> map(seen.map);
+  EXPECT_LT(distance(icp.align(map, seen.scan, near.mean, {}, near).pose, seen.truth).translation, 0.01);
+  near.first_gate = 0.05;
+  EXPECT_GT(distance(icp.align(map, seen.scan, near.mean, {}, near).pose, seen.truth).translation, 0.05);
+}
+
 TEST(UncertaintyTest, ARoomHoldsEveryDirection) {
   const IcpResult2 result = match(Seen(test::simple_room()));
   const Uncertainty& told = result.uncertainty;
