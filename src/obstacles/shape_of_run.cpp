@@ -244,7 +244,7 @@ PointCloud2 enough_of(PointView<2> all) {
 
 Shape shape_of_run(PointView<2> all_points, PointView<2> all_lasers, double noise) {
   constexpr std::size_t least = 20;
-  constexpr double least_arc = std::numbers::pi / 3.0;
+  constexpr double least_arc_of_run = std::numbers::pi / 3.0;
   if (all_points.size() < least || all_points.size() != all_lasers.size()) return {};
   const PointCloud2 points = enough_of(all_points);
   const PointCloud2 lasers = enough_of(all_lasers);
@@ -252,7 +252,7 @@ Shape shape_of_run(PointView<2> all_points, PointView<2> all_lasers, double nois
   if (const auto thing = fit_round(points, lasers, noise)) {
     const Shape shape = round_shape(*thing, points, lasers, noise);
     // Fewer numbers that say as much say more.
-    if (shape.arc >= least_arc && shape.noise < 1.05 * best.noise) best = shape;
+    if (shape.arc >= least_arc_of_run && shape.noise < 1.05 * best.noise) best = shape;
   }
   if (best.noise > 3.0 * noise) best.kind = ShapeKind::unknown;
   return best;
