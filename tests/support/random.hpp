@@ -31,7 +31,7 @@ class Random {
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
   double uniform(double lower, double upper) { return std::uniform_real_distribution<>(lower, upper)(engine_); }
-  double normal(double sigma) { return std::normal_distribution<>(0.0, sigma)(engine_); }
+  double normal(double sigma) { return sigma * std::normal_distribution<>()(engine_); }
   /// In [lower, upper], both included.
   int integer(int lower, int upper) { return std::uniform_int_distribution<>(lower, upper)(engine_); }
   bool chance(double share) { return uniform(0.0, 1.0) < share; }
