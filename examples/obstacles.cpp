@@ -16,8 +16,8 @@ int main() {
   const auto map = slamicp::PointMap2::create(slamicp::sample_map(world, random));
   slamicp::DriveOptions drive;
   drive.lidar.rate = 10.0;
-  const slamicp::SimulatedRun run = slamicp::simulate_drive(
-      slamicp::corridor_world_with("A1"), slamicp::route(world, "reference").waypoints, drive);
+  const slamicp::SimulatedRun run =
+      slamicp::simulate_drive(slamicp::corridor_world_with("A1"), slamicp::route(world, "reference").waypoints, drive);
 
   slamicp::Localizer localizer(map);
   localizer.set_pose(run.truth.front().pose);

@@ -73,11 +73,11 @@ struct Sides {
 Sides sides_around(const InBox& in) {
   Sides sides;
   std::vector<double> values(in.points.size());
-  for (int axis = 0; axis < 2; ++axis) {
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = in.points[i][axis];
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = in.points[i][static_cast<Eigen::Index>(axis)];
     const auto [low, high] = reach_of(values);
-    sides.at[static_cast<std::size_t>(2 * axis)] = low;
-    sides.at[static_cast<std::size_t>(2 * axis + 1)] = high;
+    sides.at[2 * axis] = low;
+    sides.at[2 * axis + 1] = high;
   }
   return sides;
 }

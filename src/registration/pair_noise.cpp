@@ -88,7 +88,7 @@ double range_variance(const NoiseSums& sums, const NoiseModel& model, double exp
 }
 
 /// The inverse of a sum of squares, also where it is singular: there nothing else is asked for.
-Matrix3d safe_inverse(Matrix3d square, double reach) noexcept {
+Matrix3d safe_inverse(const Matrix3d& square, double reach) noexcept {
   const Vector3d scale(1.0, 1.0, 1.0 / reach);
   Matrix3d scaled = scale.asDiagonal() * square * scale.asDiagonal();
   scaled.diagonal().array() += 1e-9 * scaled.trace() + 1e-30;
