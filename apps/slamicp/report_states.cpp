@@ -37,10 +37,6 @@ std::size_t scans_in(const RunRecord& record, TrackingState state) {
   return found == record.states.end() ? 0 : found->second;
 }
 
-bool is_doubted(const ScanRecord& scan) noexcept {
-  return scan.state == TrackingState::suspect || scan.state == TrackingState::lost;
-}
-
 // ---- the path -------------------------------------------------------------------------------------------------------
 
 void draw_path(Picture& picture, const RunRecord& record) {
@@ -77,7 +73,8 @@ double reach_of(const Matrix<3, 3>& covariance) noexcept {
 double magnification_of(const RunRecord& record, double extent) {
   std::vector<double> reaches;
   for (const ScanRecord& scan : record.scans)
-    if (const double reach = reach_of(scan.covariance); !is_doubted(scan) && reach > 0.0) reaches.push_back(reach);
+    if (const double reach = reach_of(scan.covariance); !is_doubted(scan.state) && reach > 0.0)
+      reaches.push_back(reach);
   if (reaches.empty()) return 1.0;
   const auto middle = reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() / 2);
   std::nth_element(reaches.begin(), middle, reaches.end());
@@ -100,7 +97,7 @@ void draw_ellipses(Picture& picture, const RunRecord& record, double extent) {
     const ScanRecord& scan = record.scans[k];
     const double reach = magnified * reach_of(scan.covariance);
     // Of a doubted pose the ellipse says nothing, and one as large as the picture shows nothing.
-    if (is_doubted(scan) || !(reach > 0.0) || reach > 0.25 * extent) continue;
+    if (is_doubted(scan.state) || !(reach > 0.0) || reach > 0.25 * extent) continue;
     const Point2 centre = record.trajectory[k].pose.translation();
     if (std::any_of(drawn.begin(), drawn.end(), [&](const Drawn& other) {
           return (other.centre - centre).norm() < other.reach + reach + 0.005 * extent;

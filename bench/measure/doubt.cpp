@@ -15,6 +15,7 @@
 #include <slamicp/evaluation/trial_world.hpp>
 #include <slamicp/simulation/map_sampler.hpp>
 
+#include "reliability.hpp"
 #include "support.hpp"
 
 namespace slamicp::measure {
@@ -122,24 +123,8 @@ Json false_alarms(double hours) {
   return results;
 }
 
-/// How often poses are right that are said to be so with this probability.
-struct Bins {
-  std::array<int, 10> all{}, right{};
-  double brier = 0.0;
-  int count = 0;
-
-  void add(double probability, bool is_right) {
-    const auto bin = std::min<std::size_t>(9, static_cast<std::size_t>(10.0 * probability));
-    ++all[bin];
-    right[bin] += is_right;
-    const double off = probability - (is_right ? 1.0 : 0.0);
-    brier += off * off;
-    ++count;
-  }
-};
-
 Json calibration(int count, const std::string& samples) {
-  Bins by_scan, averaged;
+  Reliability by_scan, averaged;
   std::ofstream csv;
   if (!samples.empty()) csv.open(samples);
   if (csv) csv << "right,explained,beside,violations,spread\n";
@@ -165,23 +150,16 @@ Json calibration(int count, const std::string& samples) {
                            [&](const Fix& fix, const Pose2& truth) { add(fix, is_right(fix.pose, truth)); });
       }
   Table table({"told", "scans", "right by one scan's word", "scans", "right by the average's"});
-  Json results = Json::array();
   for (std::size_t k = 0; k < 10; ++k) {
-    const auto share = [&](const Bins& bins) {
+    const auto share = [&](const Reliability& bins) {
       return bins.all[k] > 0 ? text("%.1f %%", 100.0 * bins.right[k] / bins.all[k]) : std::string("-");
     };
     table.add({text("%zu to %zu %%", 10 * k, 10 * k + 10), text("%d", by_scan.all[k]), share(by_scan),
                text("%d", averaged.all[k]), share(averaged)});
-    results.push_back({{"from", 0.1 * static_cast<double>(k)},
-                       {"scans", by_scan.all[k]},
-                       {"right", by_scan.right[k]},
-                       {"averaged_scans", averaged.all[k]},
-                       {"averaged_right", averaged.right[k]}});
   }
   table.print();
-  std::printf("Brier score: %.4f by one scan, %.4f averaged\n", by_scan.brier / by_scan.count,
-              averaged.brier / averaged.count);
-  return results;
+  std::printf("Brier score: %.4f by one scan, %.4f averaged\n", by_scan.brier(), averaged.brier());
+  return bins_json(by_scan, averaged);
 }
 
 /// A localizer's update with and without the look at its quality, in turns.

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <fstream>
 
+#include <slamicp/evaluation/covariance_trial.hpp>
 #include <slamicp/evaluation/held_out.hpp>
 #include <slamicp/evaluation/jump_trial.hpp>
 #include <slamicp/evaluation/stretch_trials.hpp>
@@ -22,6 +23,7 @@
 #include <slamicp/mapping/mapper.hpp>
 
 #include "coverage.hpp"
+#include "reliability.hpp"
 #include "support.hpp"
 
 namespace slamicp::measure {
@@ -44,8 +46,7 @@ struct PairScore {
   std::vector<double> nees;
 
   void add(const IndependentPair& pair) {
-    constexpr double other_place = 0.1;     // [m]
-    constexpr double within_95 = 7.814728;  // chi-squared with three degrees of freedom
+    constexpr double other_place = 0.1;  // [m]
     ++all;
     blind += pair.usable && pair.blind;
     if (!pair.usable || pair.blind) return;
@@ -55,7 +56,7 @@ struct PairScore {
     }
     ++counted;
     nees.push_back(pair.nees());
-    inside += pair.nees() <= within_95;
+    inside += pair.nees() <= within_95_percent;
     position2 += pair.difference.head<2>().squaredNorm();
     told2 += pair.covariance(0, 0) + pair.covariance(1, 1);
   }
@@ -100,22 +101,6 @@ struct Files {
         << "world,stretch,scan,put_elsewhere,right,off_m,off_rad,rays,explained,beside,violations,spread,fit,"
            "inlier_share,mean_inlier_distance,innovation_m,innovation_rad,stop,scan_probability,probability,state\n";
     pairs << "log,of,usable,blind,nees,difference_m,difference_rad\n";
-  }
-};
-
-/// How often poses are right that are said to be so with this probability.
-struct Reliability {
-  std::array<int, 10> all{}, right{};
-  double brier = 0.0;
-  int count = 0;
-
-  void add(double probability, bool is_right) {
-    const auto bin = std::min<std::size_t>(9, static_cast<std::size_t>(10.0 * probability));
-    ++all[bin];
-    right[bin] += is_right;
-    const double off = probability - (is_right ? 1.0 : 0.0);
-    brier += off * off;
-    ++count;
   }
 };
 
@@ -170,21 +155,15 @@ ProbabilityScore try_stretches(const std::string& world, const ReferenceRun& run
 void add_probabilities(Table& table, Table& curve, Json& results, const std::string& world,
                        const ProbabilityScore& score) {
   const auto percent = [&](int part) { return 100.0 * part / std::max(1, score.displaced); };
-  const double brier = score.by_scan.brier / std::max(1, score.by_scan.count);
-  const double averaged = score.averaged.brier / std::max(1, score.averaged.count);
+  const double brier = score.by_scan.brier();
+  const double averaged = score.averaged.brier();
   table.add({world, text("%d", score.displaced), text("%.1f %%", percent(score.noticed)),
              text("%.1f %%", percent(score.right_again)), text("%.1f %%", percent(score.confidently_wrong)),
              text("%d in %d scans", score.alarms, score.right_scans), text("%.4f / %.4f", brier, averaged)});
-  Json bins = Json::array();
   std::vector<std::string> row = {world};
   for (std::size_t k = 0; k < 10; ++k) {
     const int all = score.averaged.all[k];
     row.push_back(all > 0 ? text("%.0f %% of %d", 100.0 * score.averaged.right[k] / all, all) : "-");
-    bins.push_back({{"from", 0.1 * static_cast<double>(k)},
-                    {"scans", score.by_scan.all[k]},
-                    {"right", score.by_scan.right[k]},
-                    {"averaged_scans", all},
-                    {"averaged_right", score.averaged.right[k]}});
   }
   curve.add(row);
   results.push_back({{"world", world},
@@ -196,7 +175,7 @@ void add_probabilities(Table& table, Table& curve, Json& results, const std::str
                      {"alarms", score.alarms},
                      {"brier", brier},
                      {"brier_averaged", averaged},
-                     {"bins", bins}});
+                     {"bins", bins_json(score.by_scan, score.averaged)}});
 }
 
 /// The scans of a log that its map has not, and where the joint map run put them.

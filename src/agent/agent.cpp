@@ -78,10 +78,8 @@ void Agent::State::lay_out(std::size_t beams) {
 }
 
 void Agent::State::track() {
-  const Stop stop = cycle.fix->stop();
-  const bool blind =
-      stop == Stop::no_overlap || stop == Stop::too_few_points || cycle.fix->quality.state == TrackingState::lost;
-  cycle.tracking = tracker.update(cycle.fix->pose, cycle.fix->stamp, blind ? 0.0 : evaluation.speed_limit());
+  const double limit = cycle.fix->nowhere() ? 0.0 : evaluation.speed_limit();
+  cycle.tracking = tracker.update(cycle.fix->pose, cycle.fix->stamp, limit);
 }
 
 Agent::Agent(PointMap2::Pointer map, std::shared_ptr<const SplinePath> path, const AgentOptions& options, Clock clock) {

@@ -192,17 +192,15 @@ void ObstacleEvaluation::update(const SplinePath& path, double travelled, const 
   }
   const Decision of_tracks = judge_tracks(path, travelled, fix, tracks, speed, nearest);
   worst = std::max(worst, of_tracks);
-  const Stop stop = fix.stop();
-  const bool is_blind =
-      stop == Stop::no_overlap || stop == Stop::too_few_points || fix.quality.state == TrackingState::lost;
-  if (is_blind) {
+  const bool is_nowhere = fix.nowhere();
+  if (is_nowhere) {
     worst = Decision::stop;
     nearest = 0.0;
   }
   stamp_ = fix.stamp;
   in_a_row_ = worst == Decision::ignore ? 0 : in_a_row_ + 1;
   clear_ = worst == Decision::ignore ? clear_ + 1 : 0;
-  if (in_a_row_ >= options_.confirmations || of_tracks != Decision::ignore || is_blind) {
+  if (in_a_row_ >= options_.confirmations || of_tracks != Decision::ignore || is_nowhere) {
     decision_ = worst;
     // So slow that braking ends before the distance to keep.
     speed_limit_ = std::sqrt(2.0 * options_.braking * std::max(0.0, nearest - options_.stop_distance));

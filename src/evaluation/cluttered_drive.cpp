@@ -90,9 +90,7 @@ bool ClutteredDrive::is_fair(const World& scene) const {
       if (distance(thing, pose.translation()) < berth) return false;
     true_ranges(world_, pose * lidar_.T_robot_laser, lidar_, bare);
     true_ranges(scene, pose * lidar_.T_robot_laser, lidar_, now);
-    std::size_t hidden = 0;
-    for (std::size_t i = 0; i < bare.size(); ++i) hidden += now[i] < bare[i] ? 1U : 0U;
-    if (static_cast<double>(hidden) > (options_.unmapped + 0.1) * static_cast<double>(bare.size())) return false;
+    if (hidden_share(bare, now) > options_.unmapped + 0.1) return false;
   }
   return true;
 }

@@ -79,8 +79,7 @@ CovarianceTrial CovarianceTrials::draw(double unmapped) {
 }
 
 void CovarianceScore::add(const CovarianceTrial& trial) noexcept {
-  constexpr double off = 0.1;             // [m]: another place, or none
-  constexpr double within_95 = 7.814728;  // chi-squared with three degrees of freedom
+  constexpr double off = 0.1;  // [m]: another place, or none
   if (!trial.usable || trial.error.head<2>().norm() > off) {
     ++failed_;
     return;
@@ -88,7 +87,7 @@ void CovarianceScore::add(const CovarianceTrial& trial) noexcept {
   ++count_;
   const double nees = trial.nees();
   nees_ += nees;
-  inside_ += nees <= within_95 ? 1U : 0U;
+  inside_ += nees <= within_95_percent ? 1U : 0U;
   position2_ += trial.error.head<2>().squaredNorm();
   turn2_ += trial.error[2] * trial.error[2];
   told2_ += trial.told.covariance(0, 0) + trial.told.covariance(1, 1);

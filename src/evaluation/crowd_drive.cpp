@@ -24,20 +24,6 @@ bool is_somebody_ahead(const World& world, const SplinePath& path, double travel
 
 }  // namespace
 
-const char* to_string(CrowdLayout layout) noexcept {
-  switch (layout) {
-    case CrowdLayout::crossing:
-      return "crossing";
-    case CrowdLayout::along:
-      return "along";
-    case CrowdLayout::groups:
-      return "groups";
-    case CrowdLayout::random_walk:
-      return "random_walk";
-  }
-  return "unknown";
-}
-
 std::vector<CrowdSample> crowd_drive(const ExperimentSite& site, const CrowdPlan& plan) {
   const std::vector<Point2>& waypoints = route(site.world, "reference").waypoints;
   CrowdOptions crowd;

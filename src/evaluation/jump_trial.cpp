@@ -12,7 +12,6 @@
 namespace slamicp {
 namespace {
 
-constexpr int scans_to_notice = 40;
 constexpr int scans_in_all = 200;  // at 40 Hz five seconds
 
 /// A metre ahead in the scans that it has to notice, or a turn on the spot where there is no room; then it waits.
@@ -31,6 +30,11 @@ bool is_right(const Pose2& pose, const Pose2& truth) noexcept {
   return off.translation < 0.5 && off.rotation < 15.0 * rad_per_deg;
 }
 
+Pose2 turned_on_the_spot(const Pose2& pose, Random& random) {
+  const double turn = random.uniform(0.25, 1.0) * std::numbers::pi;
+  return pose * Pose2{0.0, 0.0, random.uniform() < 0.5 ? turn : -turn};
+}
+
 JumpTrials::JumpTrials(std::string_view world_name, std::uint64_t seed, int furniture_gone)
     : world_(trial_world(world_name)), lidar_(hokuyo_utm30lx()), random_(seed) {
   map_ = PointMap2::create(sample_map(furnished(world_, furniture_gone, random_), random_));
@@ -38,10 +42,7 @@ JumpTrials::JumpTrials(std::string_view world_name, std::uint64_t seed, int furn
 
 /// Where the robot thinks it is: somewhere along the routes, or here with another heading.
 Pose2 JumpTrials::elsewhere(const Pose2& truth) {
-  if (random_.uniform() < 0.3) {
-    const double turn = random_.uniform(0.25, 1.0) * std::numbers::pi;
-    return truth * Pose2{0.0, 0.0, random_.uniform() < 0.5 ? turn : -turn};
-  }
+  if (random_.uniform() < 0.3) return turned_on_the_spot(truth, random_);
   while (true) {
     const Pose2 pose = place_beside_route(world_, random_);
     const double shift = (pose.translation() - truth.translation()).norm();

@@ -10,7 +10,6 @@ namespace slamicp {
 namespace {
 
 constexpr std::size_t scans_of_a_stretch = 80;
-constexpr std::size_t scans_to_see = 40;
 
 }  // namespace
 
@@ -31,8 +30,7 @@ Pose2 StretchTrials::elsewhere(const Pose2& truth) {
     const double shift = (there - truth.translation()).norm();
     if (shift >= 2.0 && shift <= 6.0) return {there.x(), there.y(), heading};
   }
-  const double turn = random_.uniform(0.25, 1.0) * std::numbers::pi;
-  return truth * Pose2{0.0, 0.0, random_.uniform() < 0.5 ? turn : -turn};
+  return turned_on_the_spot(truth, random_);
 }
 
 StretchOutcome StretchTrials::draw(bool put_elsewhere) {
@@ -52,13 +50,13 @@ StretchOutcome StretchTrials::draw(bool put_elsewhere) {
     if (watcher_) watcher_(fix, truth);
     if (right || doubted) sure_since = scan.stamp;
     outcome.longest_confident = std::max(outcome.longest_confident, scan.stamp - sure_since);
-    if (!outcome.noticed && k < scans_to_see && (right || doubted)) {
+    if (!outcome.noticed && k < static_cast<std::size_t>(scans_to_notice) && (right || doubted)) {
       outcome.noticed = true;
       outcome.right_again = right;
     }
     outcome.right_scans += right;
     const bool alarm = right && doubted;
-    outcome.alarms += alarm && !was_alarm && k >= scans_to_see;
+    outcome.alarms += alarm && !was_alarm && k >= static_cast<std::size_t>(scans_to_notice);
     was_alarm = alarm;
   }
   return outcome;

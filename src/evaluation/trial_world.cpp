@@ -112,15 +112,19 @@ Pose2 place_beside_route(const World& world, Random& random) {
   }
 }
 
+double hidden_share(std::span<const double> bare, std::span<const double> now) noexcept {
+  std::size_t hidden = 0;
+  for (std::size_t i = 0; i < bare.size(); ++i) hidden += now[i] < bare[i] ? 1U : 0U;
+  return bare.empty() ? 0.0 : static_cast<double>(hidden) / static_cast<double>(bare.size());
+}
+
 World with_unmapped_things(World world, const Pose2& T_map_robot, const LidarModel& lidar, double share,
                            Random& random) {
   std::vector<double> bare, now;
   true_ranges(world, T_map_robot * lidar.T_robot_laser, lidar, bare);
   for (int tries = 0; tries < 200; ++tries) {
     true_ranges(world, T_map_robot * lidar.T_robot_laser, lidar, now);
-    std::size_t hidden = 0;
-    for (std::size_t i = 0; i < bare.size(); ++i) hidden += now[i] < bare[i] ? 1U : 0U;
-    if (static_cast<double>(hidden) >= share * static_cast<double>(bare.size())) break;
+    if (hidden_share(bare, now) >= share) break;
     const double direction = random.uniform(-std::numbers::pi, std::numbers::pi);
     const Point2 at = T_map_robot * (random.uniform(0.7, 5.0) * Point2(std::cos(direction), std::sin(direction)));
     PlacedObstacle thing = person_or_box(at, random);

@@ -26,11 +26,6 @@ Evidence look(const IndexedPoints<2>& map, const PlacedScan& scan, int rays, dou
 double log_odds(const Evidence& evidence) noexcept;
 double probability_of(double log_odds) noexcept;
 
-/// Number k of `count` that are chosen evenly out of `size`.
-inline std::size_t evenly_chosen(std::size_t k, std::size_t count, std::size_t size) noexcept {
-  return (2 * k + 1) * size / (2 * count);
-}
-
 /// Follows from scan to scan whether the pose is right.
 class Judge {
  public:

@@ -217,10 +217,9 @@ bool Localizer::State::recover(int budget) {
 /// whose pairs pull against each other, is tried again in a narrower gate, nearer to the prediction.
 void Localizer::State::look_nearer(bool by_odometry) {
   constexpr double credible = 25.0;  // squared, in standard deviations
-  constexpr double much = 3.0;       // pull, of what noise explains
   constexpr double gate = 0.1;       // [m]
   const Uncertainty& match = fix.match.uncertainty;
-  if (!match.known || match.blind || (match.surprise < credible && match.misfit < much)) return;
+  if (!match.known || match.blind || (match.surprise < credible && !match.contradicts_itself())) return;
   PosePrior near_by = prior;
   near_by.first_gate = std::min(gate, options.max_correspondence_distance);
   const IcpResult2& near = icp.align(map->indexed(), fix.scan.in_robot, fix.predicted, options.outputs, near_by);

@@ -46,8 +46,7 @@ Footprint footprint_of(const Fix& fix, const Obstacle& obstacle) noexcept {
   const auto count = std::min<std::size_t>(Footprint::most, points > 2 ? points - 2 : points);
   const Matrix<2, 2> rotation = fix.pose.rotation();
   for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t at = (2 * k + 1) * points / (2 * count);
-    const auto point = static_cast<std::size_t>(obstacle.points[at]);
+    const auto point = static_cast<std::size_t>(obstacle.points[evenly_chosen(k, count, points)]);
     footprint.points[k] = rotation * fix.scan.in_robot[point] + fix.pose.translation();
   }
   footprint.count = static_cast<int>(count);

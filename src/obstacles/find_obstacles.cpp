@@ -220,7 +220,7 @@ RayClass ObstacleFinder::class_of(const Look& look, std::span<const int> points)
   std::array<int, 4> votes{};
   const std::size_t count = std::min(most, points.size());
   for (std::size_t k = 0; k < count; ++k) {
-    const auto i = static_cast<std::size_t>(points[(2 * k + 1) * points.size() / (2 * count)]);
+    const auto i = static_cast<std::size_t>(points[evenly_chosen(k, count, points.size())]);
     const RayClass said = classify(look.in_map(look.origin(i)), look.in_map(look.fix.scan.in_robot[i]));
     ++votes[static_cast<std::size_t>(said)];
     if (2 * static_cast<std::size_t>(votes[static_cast<std::size_t>(said)]) > count) return said;

@@ -13,9 +13,8 @@
 namespace slamicp {
 namespace {
 
-constexpr double changes_walk_reach = 0.3;  // of the walk along a ray, see RayChecker [m]
-constexpr double before_the_end = 0.1;      // before its end a ray says nothing [m]: there noise may have it
-constexpr std::size_t every_ray = 4;        // every so many rays are followed
+constexpr double before_the_end = 0.1;  // before its end a ray says nothing [m]: there noise may have it
+constexpr std::size_t every_ray = 4;    // every so many rays are followed
 
 constexpr std::int64_t key_offset = std::int64_t{1} << 31;
 
@@ -114,7 +113,7 @@ void MapChanges::add(const Fix& fix, const LaserScan& scan, std::span<const Obst
   }
   const IndexedPoints<2>& map = fix.map->indexed();
   const double noise = std::hypot(fix.match.uncertainty.range_noise, map.line_noise().across);
-  const RayChecker checker(map, changes_walk_reach, std::max(noise, 0.005));
+  const RayChecker checker(map, RayChecker::usual_distance, std::max(noise, 0.005));
   for (std::size_t i = 0; i < fix.scan.in_robot.size(); i += every_ray) {
     const Point2 from = laser_of(i);
     const Point2 to = fix.pose * fix.scan.in_robot[i];

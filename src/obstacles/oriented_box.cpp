@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/obstacles/oriented_box.hpp>
 
 namespace slamicp {
@@ -80,13 +81,11 @@ Bounds<2> extent_along(const PointCloud2& points, const Point2& along) noexcept 
 
 /// The same rectangle, its longer side first.
 OrientedBox normalized(OrientedBox box) {
-  constexpr double pi = std::numbers::pi;
   if (box.depth > box.width) {
     std::swap(box.width, box.depth);
-    box.heading += pi / 2.0;
+    box.heading += std::numbers::pi / 2.0;
   }
-  box.heading = std::remainder(box.heading, pi);
-  if (box.heading <= -pi / 2.0) box.heading += pi;
+  box.heading = wrap_half_turn(box.heading);
   return box;
 }
 

@@ -8,7 +8,6 @@ namespace slamicp {
 namespace {
 
 constexpr double farthest_wall = 30.0;  // from a thing to the wall behind it [m]
-constexpr double walk_reach = 0.3;      // of the walk, see RayChecker [m]
 
 }  // namespace
 
@@ -27,7 +26,7 @@ const char* to_string(RayClass ray_class) noexcept {
 }
 
 RayClassifier::RayClassifier(const IndexedPoints<2>& map, double tolerance) noexcept
-    : checker_(map, walk_reach, tolerance), tolerance_(tolerance) {}
+    : checker_(map, RayChecker::usual_distance, tolerance), tolerance_(tolerance) {}
 
 RayClass RayClassifier::operator()(const Point2& from, const Point2& to) const noexcept {
   const double length = (to - from).norm();
@@ -41,7 +40,7 @@ RayClass RayClassifier::operator()(const Point2& from, const Point2& to) const n
     if (behind < -tolerance_) return RayClass::obstacle;
     if (behind > tolerance_ && wall.sure()) return RayClass::gone;
     is_doubtful = true;
-    start = std::max(wall.distance, start) + walk_reach;
+    start = std::max(wall.distance, start) + RayChecker::usual_distance;
   }
   if (is_doubtful) return RayClass::unknown;
   return has_walls_beside(to, direction) ? RayClass::obstacle : RayClass::unmapped;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include <slamicp/geometry/point_cloud.hpp>
@@ -16,6 +17,8 @@ struct RoundThing {
 
   /// Cosine: a ray meets no surface so flat that its noise counts less.
   static constexpr double flattest = 0.2;
+  /// How much of it must be seen to show that it is round [rad].
+  static constexpr double least_arc = std::numbers::pi / 3.0;
 };
 
 /// How a circle is looked for.

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/obstacles/shape.hpp>
 
 #include "obstacles/round_thing.hpp"
@@ -14,20 +15,14 @@ namespace {
 
 constexpr double half_turn = std::numbers::pi;
 constexpr double flattest = RoundThing::flattest;
-constexpr double least_arc = half_turn / 3.0;  // that shows a circle
-constexpr double unseen_sigma = 0.1;           // of an end that something hides [m]
-constexpr double most_error = 9.0;             // mean squared error of a shape, in variances of the noise
+constexpr double unseen_sigma = 0.1;  // of an end that something hides [m]
+constexpr double most_error = 9.0;    // mean squared error of a shape, in variances of the noise
 constexpr std::size_t least_for_line = 4;
 constexpr std::size_t least_for_bend = 6;
 constexpr std::size_t least_of_side = 3;
 constexpr std::size_t enough_for_circle = 24;
 
 Vector<2> left_of(const Vector<2>& direction) noexcept { return {-direction.y(), direction.x()}; }
-
-double in_half_turn(double heading) noexcept {
-  heading = std::remainder(heading, half_turn);
-  return heading <= -half_turn / 2.0 ? heading + half_turn : heading;
-}
 
 struct StraightLine {
   Point2 middle;
@@ -134,7 +129,7 @@ void tell_line(const ViewOfThing& view, const StraightLine& line, Shape& shape) 
   shape.width = (last.place - first.place).norm();
   shape.width_sigma = std::hypot(first.sigma, last.sigma);
   shape.width_seen = view.first_end_seen && view.last_end_seen;
-  shape.heading = in_half_turn(std::atan2(line.along.y(), line.along.x()));
+  shape.heading = wrap_half_turn(std::atan2(line.along.y(), line.along.x()));
   shape.heading_sigma = std::sqrt(12.0 * offset) / std::max(shape.width, 1e-3);
   shape.centre = 0.5 * (first.place + last.place);
   shape.covariance = covariance_along(line.along, 0.25 * shape.width_sigma * shape.width_sigma, offset);
@@ -195,7 +190,7 @@ void tell_box(const ViewOfThing& view, const CornerThing& found, Shape& shape) n
     shape.heading_sigma = std::sqrt(12.0 * second_offset) / std::max(shape.width, 1e-3);
     heading += half_turn / 2.0;
   }
-  shape.heading = in_half_turn(heading);
+  shape.heading = wrap_half_turn(heading);
 }
 
 /// What can be said of points without a shape: how far they reach.
@@ -212,7 +207,7 @@ void tell_extent(const ViewOfThing& view, const StraightLine& along, Shape& shap
   const double noise2 = view.range_noise * view.range_noise;
   shape.covariance =
       covariance_along(along.along, size.x() * size.x() / 12.0 + noise2, size.y() * size.y() / 12.0 + noise2);
-  shape.heading = in_half_turn(std::atan2(along.along.y(), along.along.x()));
+  shape.heading = wrap_half_turn(std::atan2(along.along.y(), along.along.x()));
   shape.heading_sigma = half_turn / 4.0;
 }
 
@@ -239,7 +234,7 @@ class Choice {
     const std::size_t stride = std::max<std::size_t>(1, view_.points.size() / enough_for_circle);
     const std::optional<RoundThing> some =
         fit_round(view_.points, {&view_.laser, 1}, view_.range_noise, {stride, nullptr, std::min(most_, best_)});
-    if (!some || arc_of(view_, *some) < least_arc || !is_best(misfit_of(*some), 3)) return;
+    if (!some || arc_of(view_, *some) < RoundThing::least_arc || !is_best(misfit_of(*some), 3)) return;
     tell_circle(view_, *some, arc_of(view_, *some), shape_);
   }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/obstacles/shape.hpp>
 
 #include "obstacles/round_thing.hpp"
@@ -197,8 +198,7 @@ Shape box_of(PointView<2> points, PointView<2> lasers, double noise) {
     std::swap(shape.width_seen, shape.depth_seen);
     shape.heading += right_angle;
   }
-  shape.heading = std::remainder(shape.heading, 2.0 * right_angle);
-  if (shape.heading <= -right_angle) shape.heading += 2.0 * right_angle;
+  shape.heading = wrap_half_turn(shape.heading);
   if (shape.kind == ShapeKind::line) shape.depth = 0.0;
   const double ends = 0.5 * noise;  // what the trimmed ends of sides are unsure by
   shape.width_sigma = shape.depth_sigma = ends;
@@ -244,7 +244,6 @@ PointCloud2 enough_of(PointView<2> all) {
 
 Shape shape_of_run(PointView<2> all_points, PointView<2> all_lasers, double noise) {
   constexpr std::size_t least = 20;
-  constexpr double least_arc_of_run = std::numbers::pi / 3.0;
   if (all_points.size() < least || all_points.size() != all_lasers.size()) return {};
   const PointCloud2 points = enough_of(all_points);
   const PointCloud2 lasers = enough_of(all_lasers);
@@ -252,7 +251,7 @@ Shape shape_of_run(PointView<2> all_points, PointView<2> all_lasers, double nois
   if (const auto thing = fit_round(points, lasers, noise)) {
     const Shape shape = round_shape(*thing, points, lasers, noise);
     // Fewer numbers that say as much say more.
-    if (shape.arc >= least_arc_of_run && shape.noise < 1.05 * best.noise) best = shape;
+    if (shape.arc >= RoundThing::least_arc && shape.noise < 1.05 * best.noise) best = shape;
   }
   if (best.noise > 3.0 * noise) best.kind = ShapeKind::unknown;
   return best;

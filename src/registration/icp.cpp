@@ -74,9 +74,8 @@ double surprise(const Uncertainty& match, const PosePrior& prior, const Pose2& p
 /// @param share  of the scan's points that have a pair
 /// @returns      true if the pairs were doubted
 bool doubt_contradiction(double share, Uncertainty& match) noexcept {
-  constexpr double much = 3.0;  // pull, of what noise explains
   constexpr double most = 0.5;
-  if (!(match.surprise > Uncertainty::credible) || (match.misfit < much && share > most)) return false;
+  if (!(match.surprise > Uncertainty::credible) || (!match.contradicts_itself() && share > most)) return false;
   const double trust = Uncertainty::credible / match.surprise;
   match.information *= trust;
   match.covariance /= trust;

@@ -121,27 +121,22 @@ Line CellIndex::State::fit_line(int number) const noexcept {
       nearest_k(point, surfaces.radius, std::span(room.data(), static_cast<std::size_t>(surfaces.neighbours)));
   const std::span<const Neighbour> found(room.data(), count);
   const auto place = [&](int k) -> const Point2& { return all[static_cast<std::size_t>(k)]; };
-  const Surface2 surface = fit_surface<2>(point, found, surfaces, place);
+  const auto [surface, scatter] = fit_surface<2>(point, found, surfaces, place);
   Line line;
   line.window = surface_window(found, surfaces);
   if (!surface.valid()) return line;
   line.normal_x = static_cast<float>(surface.normal.x());
   line.normal_y = static_cast<float>(surface.normal.y());
   line.offset = static_cast<float>(surface.normal.dot(surface.centroid - point));
-  line.trust = static_cast<float>(trust_of(surface, found));
+  line.trust = static_cast<float>(trust_of(scatter, static_cast<double>(count)));
   return line;
 }
 
-double CellIndex::State::trust_of(const Surface2& surface, std::span<const Neighbour> found) const noexcept {
+double CellIndex::State::trust_of(double scatter, double count) const noexcept {
   constexpr double least = 0.2;       // where all lines are poor they hold the pose together
   constexpr double thickness = 0.01;  // 1 sigma [m]: what scatters less is a wall as lidars see them
-  double squares = 0.0;
-  for (const Neighbour& one : found) {
-    const double off = surface.normal.dot(points.view()[static_cast<std::size_t>(one.index)] - surface.centroid);
-    squares += off * off;
-  }
   // Of n points on a line the sum of squares has n - 2 degrees of freedom.
-  const double variance = squares / (static_cast<double>(found.size()) - 2.0);
+  const double variance = scatter * count / (count - 2.0);
   const double typical = std::max(line_noise.across, thickness);
   const double usual = surfaces.scatter * typical * typical;
   const double share = usual / variance;

@@ -47,8 +47,8 @@ struct CellIndex::State {
 
   /// Estimates the line at a point: reads coordinates only.
   Line fit_line(int number) const noexcept;
-  /// What the line that goes through the points `found` is to count.
-  double trust_of(const Surface2& surface, std::span<const Neighbour> found) const noexcept;
+  /// What a line is to count. @param scatter  of its points, mean square [m^2]  @param count  of its points
+  double trust_of(double scatter, double count) const noexcept;
   /// The tile's lines, built and published if need be; null where the map has no surfaces.
   const std::vector<Line>* lines_of(const Tile& tile) const;
   /// The points within reach of a tile, lines included.

@@ -118,7 +118,7 @@ void IndexedPoints<3>::estimate_surface(std::size_t k) noexcept {
       nearest_k(points_[k], options_.radius, std::span(room.data(), static_cast<std::size_t>(options_.neighbours)));
   const std::span<const Neighbour> found(room.data(), count);
   const auto place = [&](int number) -> const Point3& { return points_[static_cast<std::size_t>(number)]; };
-  surfaces_[k] = fit_surface<3>(points_[k], found, options_, place);
+  surfaces_[k] = fit_surface<3>(points_[k], found, options_, place).surface;
   window_[k] = surface_window(found, options_);
 }
 

@@ -15,12 +15,19 @@ inline constexpr std::size_t max_surface_neighbours = 64;
 /// Throws Error where an option is absurd.
 void check(const SurfaceOptions& options);
 
+/// A surface, and how far its points are from it.
+template <int D>
+struct SurfaceFit {
+  Surface<D> surface;
+  double scatter = 0.0;  // mean square [m^2]
+};
+
 /// The line (plane) through the centroid of `found`, square to the direction of least spread.
 /// @param point  one of them: sums are relative to it, so that no digits are lost far from the map's origin
 /// @param place  gives the coordinates of a number
 template <int D, typename Place>
-Surface<D> fit_surface(const Point<D>& point, std::span<const Neighbour> found, const SurfaceOptions& options,
-                       const Place& place) noexcept {
+SurfaceFit<D> fit_surface(const Point<D>& point, std::span<const Neighbour> found, const SurfaceOptions& options,
+                          const Place& place) noexcept {
   if (found.size() < static_cast<std::size_t>(std::max(options.min_neighbours, D + 1))) return {};
   Vector<D> mean = Vector<D>::Zero();
   Matrix<D, D> scatter = Matrix<D, D>::Zero();
@@ -42,7 +49,7 @@ Surface<D> fit_surface(const Point<D>& point, std::span<const Neighbour> found, 
   const double least = std::max(eigen.eigenvalues()[0], 0.0);
   const double next = eigen.eigenvalues()[1];
   if (!(next > 1e-12) || !(least < 0.9 * next)) return {};
-  return {point + mean, eigen.eigenvectors().col(0), 1.0};
+  return {{point + mean, eigen.eigenvectors().col(0), 1.0}, least};
 }
 
 /// How far the neighbours that made a surface reach [m]; infinite where it could take more. Rounded up.

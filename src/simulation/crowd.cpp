@@ -155,6 +155,20 @@ class CrowdPlanner {
 
 }  // namespace
 
+const char* to_string(CrowdLayout layout) noexcept {
+  switch (layout) {
+    case CrowdLayout::crossing:
+      return "crossing";
+    case CrowdLayout::along:
+      return "along";
+    case CrowdLayout::groups:
+      return "groups";
+    case CrowdLayout::random_walk:
+      return "random_walk";
+  }
+  return "unknown";
+}
+
 std::string CrowdOptions::problem() const {
   if (people < 0 || people > 1000) return "people is " + std::to_string(people) + ": give 0 to 1000";
   if (!(clearance > 0.0 && std::isfinite(clearance))) return "clearance must be above 0 m";

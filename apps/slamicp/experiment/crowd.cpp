@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // slamicp experiment crowd: what people about the robot change, by how many they are and how they move.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -30,11 +31,8 @@ double mean_of(const std::vector<CrowdSample>& samples, double (*value)(const Cr
 
 double outliers_of(const CrowdSample& sample) { return static_cast<double>(sample.outliers); }
 double awareness_of(const CrowdSample& sample) { return sample.awareness; }
-double doubted(const CrowdSample& sample) {
-  return sample.state == TrackingState::suspect || sample.state == TrackingState::lost ? 1.0 : 0.0;
-}
+double doubted(const CrowdSample& sample) { return is_doubted(sample.state) ? 1.0 : 0.0; }
 double stop_of(const CrowdSample& sample) { return sample.decision == Decision::stop ? 1.0 : 0.0; }
-double false_stop_of(const CrowdSample& sample) { return sample.false_stop ? 1.0 : 0.0; }
 double moving_of(const CrowdSample& sample) { return static_cast<double>(sample.moving); }
 
 ErrorStatistics errors_of(const Crowd& crowd) {
@@ -43,9 +41,9 @@ ErrorStatistics errors_of(const Crowd& crowd) {
   return statistics_of(std::move(errors));
 }
 
-std::size_t false_stops(const Crowd& crowd) {
-  return static_cast<std::size_t>(
-      std::lround(mean_of(crowd.samples, false_stop_of) * static_cast<double>(crowd.samples.size())));
+std::ptrdiff_t false_stops(const Crowd& crowd) {
+  return std::count_if(crowd.samples.begin(), crowd.samples.end(),
+                       [](const CrowdSample& sample) { return sample.false_stop; });
 }
 
 Colour shade(std::size_t which, std::size_t count) {
@@ -107,7 +105,7 @@ std::vector<std::string> row_of(const Crowd& crowd) {
           format("%.1f %%", 100.0 * mean_of(crowd.samples, doubted)),
           format("%.1f", mean_of(crowd.samples, moving_of)),
           format("%.1f %%", 100.0 * mean_of(crowd.samples, stop_of)),
-          format("%zu", false_stops(crowd))};
+          format("%td", false_stops(crowd))};
 }
 
 Json json_of(const Crowd& crowd) {
@@ -171,7 +169,7 @@ Json run_crowd(const ExperimentWords& words, const ExperimentSite& site, const F
     table.push_back(row_of(crowd));
     rows.push_back(json_of(crowd));
     if (!crowd.samples.empty())
-      talk(format("%-12s %2d people: %4.0f outliers, awareness %.3f, error %.1f mm mean, %.1f mm max, %zu false stops",
+      talk(format("%-12s %2d people: %4.0f outliers, awareness %.3f, error %.1f mm mean, %.1f mm max, %td false stops",
                   to_string(crowd.layout), crowd.people, mean_of(crowd.samples, outliers_of),
                   mean_of(crowd.samples, awareness_of), 1e3 * errors_of(crowd).mean, 1e3 * errors_of(crowd).max,
                   false_stops(crowd)));

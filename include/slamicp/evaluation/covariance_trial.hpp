@@ -20,6 +20,9 @@ namespace slamicp {
 Matrix<3, 3> least_covariance(const World& known, const World& world, const Pose2& T_map_robot, const LidarModel& lidar,
                               double range_noise, double map_noise);
 
+/// NEES of three unknowns that 95 % of the errors stay below: chi-squared with three degrees of freedom.
+inline constexpr double within_95_percent = 7.814728;
+
 /// A single match in a world with truth.
 struct CovarianceTrial {
   Pose2::Tangent error;  ///< as seen from the robot: T_map_robot = truth * exp(error)

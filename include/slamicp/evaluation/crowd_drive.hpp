@@ -39,9 +39,6 @@ struct CrowdSample {
 /// give the same samples. Throws Error where the people find no room.
 std::vector<CrowdSample> crowd_drive(const ExperimentSite& site, const CrowdPlan& plan);
 
-/// "crossing", "along", "groups", "random_walk"
-const char* to_string(CrowdLayout layout) noexcept;
-
 /// Pearson's coefficient of as many values each, in [-1, 1]; 0 where one of them does not change.
 double correlation(std::span<const double> a, std::span<const double> b) noexcept;
 

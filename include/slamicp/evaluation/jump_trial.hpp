@@ -15,6 +15,12 @@ namespace slamicp {
 /// True where a pose is not taken for wrong: within half a metre and 15 deg of the truth.
 bool is_right(const Pose2& pose, const Pose2& truth) noexcept;
 
+/// Within so many scans a localizer should notice that it is elsewhere.
+inline constexpr int scans_to_notice = 40;
+
+/// Another heading, 45 to 180 deg off to either side.
+Pose2 turned_on_the_spot(const Pose2& pose, Random& random);
+
 /// What a localizer made of being somewhere else than it thought.
 struct JumpOutcome {
   double shift = 0.0;         ///< from where it thought to be [m]

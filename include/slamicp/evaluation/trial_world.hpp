@@ -26,6 +26,9 @@ World featureless_corridor(double length, double width);
 /// Somewhere along the world's route "reference", up to 0.3 m beside it, with any heading.
 Pose2 place_beside_route(const World& world, Random& random);
 
+/// Of the ranges of one lidar at one place, the share that things have made shorter. As many each.
+double hidden_share(std::span<const double> bare, std::span<const double> now) noexcept;
+
 /// The world with people and boxes around the robot that the map does not know, until they take so large a share of
 /// the beams that return.
 /// @param share  in [0, 0.9]

@@ -46,6 +46,11 @@ static_assert(sizeof(Point2) == 2 * sizeof(double) && sizeof(Point3) == 3 * size
 /// Of two vectors of the plane, the area between them: above 0 where b is to the left of a.
 inline double cross(const Vector<2>& a, const Vector<2>& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
 
+/// Which of `size` points is number k of `count` that are chosen evenly.
+inline std::size_t evenly_chosen(std::size_t k, std::size_t count, std::size_t size) noexcept {
+  return (2 * k + 1) * size / (2 * count);
+}
+
 /// True if every coordinate is a number: neither NaN nor infinite.
 template <int D>
 bool is_finite(const Point<D>& point) noexcept {

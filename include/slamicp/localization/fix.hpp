@@ -48,6 +48,10 @@ struct Fix {
   Stop stop() const noexcept { return match.stop; }
   /// True if the pose can be used: every direction is held by the scan or carried by odometry.
   bool usable() const noexcept { return match.usable(); }
+  /// True where nothing tells where the robot is: its scan fits nothing, or its pose is lost. It had better stand.
+  bool nowhere() const noexcept {
+    return match.stop == Stop::no_overlap || match.stop == Stop::too_few_points || quality.state == TrackingState::lost;
+  }
   /// The covariance along the map's axes: of (x, y) in the map [m] and the heading [rad].
   Matrix<3, 3> covariance_in_map() const noexcept;
   const std::vector<int>& outliers() const noexcept { return match.outlier_indices; }

@@ -16,6 +16,11 @@ enum class TrackingState {
 /// "tracking", "degenerate", "suspect", "lost"
 const char* to_string(TrackingState state) noexcept;
 
+/// True for `suspect` and `lost`.
+constexpr bool is_doubted(TrackingState state) noexcept {
+  return state == TrackingState::suspect || state == TrackingState::lost;
+}
+
 /// What one scan shows at the pose of its fix, by a sample of its rays. All are shares, in [0, 1].
 struct Evidence {
   int rays = 0;            ///< that were looked at; all else is 0 without any
@@ -38,7 +43,7 @@ struct Quality {
   double awareness = 1.0;
   Evidence evidence;
 
-  bool doubted() const noexcept { return state == TrackingState::suspect || state == TrackingState::lost; }
+  bool doubted() const noexcept { return is_doubted(state); }
 
   /// One line.
   std::string brief() const;

@@ -22,6 +22,9 @@ struct WallMet {
 /// Holds rays against a map, one at a time. Keeps a reference to the map.
 class RayChecker {
  public:
+  /// A match distance for walks along rays, where no match has one [m].
+  static constexpr double usual_distance = 0.3;
+
   /// @param match_distance  a ray that ends closer to a map point than this ends near a surface [m]
   /// @param noise           of a point from its line, of range and map together, 1 sigma [m]
   RayChecker(const IndexedPoints<2>& map, double match_distance, double noise) noexcept;

@@ -63,6 +63,9 @@ struct Uncertainty {
       16.0;  ///< of `surprise`: chi-squared with three degrees of freedom, 0.1 % are above
   static constexpr double unheld_variance = 1e6;  ///< [m^2, rad^2]: a kilometre
 
+  /// True where the pairs pull against each other: much more than noise explains.
+  bool contradicts_itself() const noexcept { return misfit >= 3.0; }
+
   /// What the prior counts beside the pairs, in (0, 1]: the less, the less it can be right.
   double trust_in_prior() const noexcept { return surprise > credible ? credible / surprise : 1.0; }
 };

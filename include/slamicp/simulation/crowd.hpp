@@ -17,6 +17,9 @@ enum class CrowdLayout {
   random_walk,  ///< from place to place as chance has it, twelve places at most, there and back
 };
 
+/// "crossing", "along", "groups", "random_walk"
+const char* to_string(CrowdLayout layout) noexcept;
+
 struct CrowdOptions {
   int people = 6;  ///< 0 to 1000
   CrowdLayout layout = CrowdLayout::crossing;
