@@ -43,7 +43,7 @@ struct Uncertainty {
   /// covariance is larger by it. Corners, doors ajar and things beside walls do it.
   double misfit = 1.0;
   /// How far the pairs' pose is from what a prior says, squared and in their common noise: about 3, and seldom above
-  /// 16, where both are right. 0 without a prior, and where a direction is blind.
+  /// 16, where both are right. A blind direction has no part in it. 0 without a prior.
   double surprise = 0.0;
   /// True where the pairs hold some direction no better than the noise of the map's normals pretends.
   bool blind = false;
@@ -59,8 +59,8 @@ struct Uncertainty {
   /// The part of the covariance in directions that the pairs do not hold.
   Matrix<3, 3> unheld = Matrix<3, 3>::Zero();
 
-  static constexpr double credible =
-      16.0;  ///< of `surprise`: chi-squared with three degrees of freedom, 0.1 % are above
+  /// Of `surprise`: 0.1 % of chi-squared with three degrees of freedom are above.
+  static constexpr double credible = 16.0;
   static constexpr double unheld_variance = 1e6;  ///< [m^2, rad^2]: a kilometre
 
   /// True where the pairs pull against each other: much more than noise explains.
