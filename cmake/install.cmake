@@ -1,5 +1,6 @@
 # `cmake --install`: headers, libraries, the command, and how others find them: find_package(slamicp) gives
-# slamicp::core, find_package(slamicp COMPONENTS io) slamicp::io as well; pkg-config slamicp-core, slamicp-io.
+# slamicp::core, find_package(slamicp COMPONENTS io) slamicp::io as well, find_package(slamicp COMPONENTS c) slamicp::c alone;
+# pkg-config slamicp-core, slamicp-io, slamicp-c.
 # What is installed may be moved: nothing in it names the prefix.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/slamicp)
@@ -51,6 +52,10 @@ slamicp_install_library(core REQUIRES eigen3 DESCRIPTION "${PROJECT_DESCRIPTION}
 if(SLAMICP_BUILD_IO)
   slamicp_install_library(io REQUIRES slamicp-core REQUIRES_PRIVATE ${SLAMICP_IO_MODULES} LIBS_PRIVATE ${SLAMICP_IO_LIBRARIES}
     DESCRIPTION "Files and pictures for slamicp-core")
+endif()
+if(TARGET slamicp_c)
+  install(FILES ${PROJECT_SOURCE_DIR}/bindings/c/include/slamicp.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  slamicp_install_library(c DESCRIPTION "slamicp's interface for C: a shared library that needs nothing")
 endif()
 if(TARGET slamicp_command)
   file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
