@@ -4,6 +4,9 @@
 PATH="$PATH:/usr/local/sbin:/usr/sbin:/sbin"  # dpkg's helpers live there
 jobs=$(nproc)
 
+# What one build has compiled another one need not, though it lies in another folder.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+
 say() { printf '%s\n' "$*"; }
 complain() { printf '%s\n' "$*" >&2; }
 
@@ -41,6 +44,12 @@ python3-tf2-msgs     ... and of frames
 ccache               saves compiling the same twice
 libnanoflann-dev     slamicp-bench: the tree of the paper's agents
 libbenchmark-dev     micro-benchmarks
+octave-dev           SLAMICP in Octave ...
+gnuplot-nox          ... whose examples draw ...
+fonts-freefont-otf   ... and write ...
+ghostscript          ... into PNG files
+python3-venv         a clean Python for the wheel ...
+python3-dev          ... and what it is compiled with
 "
 # Where npm does not come with Node.js, as it does outside Debian.
 command -v npm >/dev/null || needs_for_tests+="npm                  fetches what else writes MCAP, to compare

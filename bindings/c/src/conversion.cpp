@@ -78,9 +78,11 @@ void write_pose(const Pose2& pose, double* numbers) noexcept {
 void write_pose(const Pose3& pose, double* numbers) noexcept {
   const Matrix<3, 3> r = pose.rotation();
   for (int k = 0; k < 3; ++k) numbers[k] = pose.position[k];
-  numbers[3] = std::atan2(r(2, 1), r(2, 2));
-  numbers[4] = std::atan2(-r(2, 0), std::hypot(r(2, 1), r(2, 2)));
-  numbers[5] = std::atan2(r(1, 0), r(0, 0));
+  const double level = std::hypot(r(2, 1), r(2, 2));
+  const bool upright = level < 1e-9;  // looking straight up or down: roll and yaw are the same turn
+  numbers[3] = upright ? 0.0 : std::atan2(r(2, 1), r(2, 2));
+  numbers[4] = std::atan2(-r(2, 0), level);
+  numbers[5] = upright ? std::atan2(-r(0, 1), r(1, 1)) : std::atan2(r(1, 0), r(0, 0));
 }
 
 template <int D>
