@@ -6,7 +6,7 @@ endif()
 cmake_dependent_option(SLAMICP_BUILD_C "Build slamicp_c, the interface for C" ${PROJECT_IS_TOP_LEVEL}
   SLAMICP_BINDINGS OFF)
 cmake_dependent_option(SLAMICP_BUILD_MATLAB "Build SLAMICP for Octave, where mkoctfile is found" ${PROJECT_IS_TOP_LEVEL}
-  "SLAMICP_BUILD_C;NOT SLAMICP_SANITIZE" OFF)
+  "SLAMICP_BUILD_C;NOT SLAMICP_SANITIZE;NOT CMAKE_CROSSCOMPILING" OFF)
 cmake_dependent_option(SLAMICP_BUILD_PYTHON "Build the Python extension; pip does (pyproject.toml)" OFF
   "SLAMICP_BINDINGS;SLAMICP_BUILD_IO" OFF)
 if(SLAMICP_BUILD_MATLAB)
