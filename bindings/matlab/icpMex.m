@@ -28,7 +28,7 @@ function Tr = icpMex(M, T, Tr0, indist, method)
   if isequal(indist, -1) && isa(M, 'double') && ~isempty(M)
     indist = norm(max(M, [], 2) - min(M, [], 2)) + 1;
   end
-  [~, ~, ~, ~, ~, ~, ~, ~, Tr] = slamicp_mex('align', 0, M, T, indist, method, 200, pose_of(Tr0), indist);
+  Tr = slamicp_mex('transform', 0, M, T, indist, method, 200, pose_of(Tr0), indist);
 end
 
 function P = pose_of(Tr)

@@ -22,7 +22,7 @@
 % See also SLAMICP, slamicp.Map.
 classdef Localizer < handle
   properties (SetAccess = private)
-    handle = -1;  % of the localizer inside slamicp_mex
+    id = -1;  % of the localizer inside slamicp_mex
   end
 
   methods
@@ -31,32 +31,32 @@ classdef Localizer < handle
         map = [];
       end
       if isa(map, 'slamicp.Map')
-        map = map.handle;
+        map = map.id;
       elseif isequal(map, [])
         map = 0;
       else
         error('slamicp:bad_handle', 'slamicp.Localizer needs a slamicp.Map, or [] for none');
       end
-      self.handle = slamicp_mex('localizer_new', map, varargin{:});
+      self.id = slamicp_mex('localizer_new', map, varargin{:});
     end
 
     function delete(self)
-      handle = self.handle;
-      self.handle = -1;
-      if handle > 0
-        slamicp_mex('free', handle);
+      gone = self.id;
+      self.id = -1;
+      if gone > 0
+        slamicp_mex('free', gone);
       end
     end
 
     function set_pose(self, P)
-      slamicp_mex('localizer_pose', self.handle, P);
+      slamicp_mex('localizer_pose', self.id, P);
     end
 
     function set_map(self, map)
       if ~isa(map, 'slamicp.Map')
         error('slamicp:bad_handle', 'set_map needs a slamicp.Map');
       end
-      slamicp_mex('localizer_map', self.handle, map.handle);
+      slamicp_mex('localizer_map', self.id, map.id);
     end
 
     function fix = update(self, ranges, angle_min, angle_increment, varargin)
@@ -78,7 +78,7 @@ classdef Localizer < handle
       if mod(numel(varargin), 2) == 1
         rest(end + 1) = varargin(end);
       end
-      fix = slamicp_mex('localizer_update', self.handle, ranges, angle_min, angle_increment, laser_pose, odometry, ...
+      fix = slamicp_mex('localizer_update', self.id, ranges, angle_min, angle_increment, laser_pose, odometry, ...
                         rest{:});
     end
 
@@ -86,11 +86,11 @@ classdef Localizer < handle
       if nargin < 2
         budget = 1000;
       end
-      found = slamicp_mex('localizer_recover', self.handle, budget);
+      found = slamicp_mex('localizer_recover', self.id, budget);
     end
 
-    function obstacles = obstacles(self)
-      obstacles = slamicp_mex('localizer_obstacles', self.handle);
+    function found = obstacles(self)
+      found = slamicp_mex('localizer_obstacles', self.id);
     end
   end
 end

@@ -16,7 +16,7 @@
 % See also SLAMICP, slamicp.Localizer.
 classdef Map < handle
   properties (SetAccess = private)
-    handle = -1;  % of the map inside slamicp_mex
+    id = -1;  % of the map inside slamicp_mex
   end
 
   methods
@@ -24,35 +24,35 @@ classdef Map < handle
       if nargin < 1
         error('slamicp:bad_call', 'slamicp.Map needs points: slamicp.Map(points)');
       end
-      if isa(points, 'uint64') && isscalar(points)  % a handle, from with_added
-        self.handle = double(points);
-        return
+      if isequal(points, 'with_added')  % for the method of this name
+        self.id = slamicp_mex('map_add', varargin{:});
+      else
+        self.id = slamicp_mex('map_new', points, varargin{:});
       end
-      self.handle = slamicp_mex('map_new', points, varargin{:});
     end
 
     function delete(self)
-      handle = self.handle;
-      self.handle = -1;
-      if handle > 0
-        slamicp_mex('free', handle);
+      gone = self.id;
+      self.id = -1;
+      if gone > 0
+        slamicp_mex('free', gone);
       end
     end
 
     function grown = with_added(self, points)
-      grown = slamicp.Map(uint64(slamicp_mex('map_add', self.handle, points)));
+      grown = slamicp.Map('with_added', self.id, points);
     end
 
-    function points = points(self)
-      points = slamicp_mex('map_points', self.handle);
+    function all_points = points(self)
+      all_points = slamicp_mex('map_points', self.id);
     end
 
     function n = count(self)
-      n = slamicp_mex('map_size', self.handle);
+      n = slamicp_mex('map_size', self.id);
     end
 
     function d = dimension(self)
-      [~, d] = slamicp_mex('map_size', self.handle);
+      [~, d] = slamicp_mex('map_size', self.id);
     end
   end
 end

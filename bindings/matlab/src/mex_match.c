@@ -25,18 +25,15 @@ static void warn_of(const slamicp_result* result) {
                        slamicp_stop_name(result->stop));
 }
 
-/// [P, n, md, Oindx, Ocoords, tT, uM] = align(M, T, indist, method, iter, Pprev, Ot), eq. (10); M may be a map's
-/// handle. An eighth output is the stop reason, a ninth T_map_robot as a matrix.
-void command_align(const mex_call* call) {
+// The inputs of eq. (10): whether M is a map's handle, M, T, indist, method, iter, Pprev, Ot.
+static slamicp_result match(const mex_call* call, uint32_t outputs) {
   need_inputs(call, 8, 8);
-  need_outputs(call, 9);
   const bool by_handle = need_number(call->input[0], "by_handle") != 0.0;
   const cloud target = by_handle ? (cloud){NULL, 0, 0} : need_cloud(call->input[1], "M");
   const slamicp_map* const map = by_handle ? need_map(call->input[1]) : NULL;
   const cloud scan = need_cloud(call->input[2], "T");
   const int dimension = by_handle ? slamicp_map_dimension(map) : target.dimension;
   if (scan.dimension != dimension) refuse("bad_points", "M and T must both be 2 x K, or both 3 x K");
-  const size_t rows = (size_t)dimension;
 
   slamicp_icp_options options;
   check(slamicp_icp_options_init(&options, sizeof options));
@@ -45,34 +42,43 @@ void command_align(const mex_call* call) {
   options.max_iterations = need_whole_number(call->input[5], "iter", 1);
   options.outlier_distance = need_number(call->input[7], "Ot");
   if (options.outlier_distance == 0.0) refuse("bad_options", "Ot must be a length above 0 m");
-  const size_t numbers = dimension == 2 ? 3 : 6;
-  const double* const guess = need_numbers(call->input[6], "Pprev", numbers);
+  const double* const guess = need_numbers(call->input[6], "Pprev", dimension == 2 ? 3 : 6);
 
   slamicp_icp* const icp = matcher_with(&options);
   slamicp_result result;
   check(slamicp_result_init(&result, sizeof result));
-  const uint32_t outputs = outputs_for(call->outputs);
   check(by_handle ? slamicp_icp_align(icp, map, scan.points, scan.count, guess, outputs, &result)
                   : slamicp_icp_align_points(icp, dimension, target.points, target.count, scan.points, scan.count,
                                              guess, outputs, &result));
   warn_of(&result);
+  return result;
+}
 
+/// [P, n, md, Oindx, Ocoords, tT, uM] = align(...), eq. (10)
+void command_align(const mex_call* call) {
+  need_outputs(call, 7);
+  const slamicp_result result = match(call, outputs_for(call->outputs));
+  const size_t rows = (size_t)result.dimension;
   mxArray** const out = call->output;
-  out[0] = matrix_of(result.pose, 1, numbers);
+  out[0] = matrix_of(result.pose, 1, rows == 2 ? 3 : 6);
   if (call->outputs > 1) out[1] = mxCreateDoubleScalar(result.iterations);
   if (call->outputs > 2) out[2] = mxCreateDoubleScalar(result.mean_inlier_distance);
   if (call->outputs > 3) out[3] = indices_of(result.outlier_indices, result.outliers);
   if (call->outputs > 4) out[4] = matrix_of(result.outliers_in_map, rows, result.outliers);
   if (call->outputs > 5) out[5] = matrix_of(result.transformed_scan, rows, result.points);
   if (call->outputs > 6) out[6] = matrix_of(result.updated_map, rows, result.updated_map_points);
-  if (call->outputs > 7) out[7] = mxCreateString(slamicp_stop_name(result.stop));
-  if (call->outputs > 8) {
-    out[8] = mxCreateDoubleMatrix((mwSize)rows + 1, (mwSize)rows + 1, mxREAL);
-    double* const matrix = mxGetPr(out[8]);
-    for (size_t row = 0; row <= rows; ++row)
-      for (size_t column = 0; column <= rows; ++column)
-        matrix[column * (rows + 1) + row] = result.transform[row * (rows + 1) + column];
-  }
+}
+
+/// Tr = transform(...), T_map_robot as a matrix
+void command_transform(const mex_call* call) {
+  need_outputs(call, 1);
+  const slamicp_result result = match(call, 0);
+  const size_t size = (size_t)result.dimension + 1;
+  call->output[0] = mxCreateDoubleMatrix((mwSize)size, (mwSize)size, mxREAL);
+  double* const matrix = mxGetPr(call->output[0]);
+  for (size_t row = 0; row < size; ++row)
+    for (size_t column = 0; column < size; ++column)
+      matrix[column * size + row] = result.transform[row * size + column];
 }
 
 #define MAP_OPTION(field, is_whole) \

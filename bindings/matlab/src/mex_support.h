@@ -73,6 +73,7 @@ slamicp_icp* matcher_with(const slamicp_icp_options* options);
 void let_go_of_all(void);
 
 void command_align(const mex_call* call);
+void command_transform(const mex_call* call);
 void command_map_new(const mex_call* call);
 void command_map_add(const mex_call* call);
 void command_map_points(const mex_call* call);

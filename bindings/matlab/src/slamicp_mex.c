@@ -12,6 +12,7 @@ typedef struct command {
 
 static const command commands[] = {
     {"align", command_align},
+    {"transform", command_transform},
     {"map_new", command_map_new},
     {"map_add", command_map_add},
     {"map_points", command_map_points},

@@ -64,10 +64,10 @@ assert(norm(by_handle{1} - truth) < 2e-3 && isequal(by_handle{4}, all_outputs{4}
 grown = map.with_added(new);
 [~, ~, ~, Oindx, Ocoords] = SLAMICP(grown, T, 0.3, 'point_to_plane', 50, guess);
 assert(isempty(Oindx) && isequal(size(Ocoords), [2 0]) && map.count() == columns(M));
-handle = map.handle;
+id = map.id;
 delete(map);
 try
-  slamicp_mex('map_size', handle);
+  slamicp_mex('map_size', id);
   error('test', 'a deleted map answers');
 catch problem
   assert(strcmp(problem.identifier, 'slamicp:bad_handle'));

@@ -3,7 +3,7 @@
 
 #include <slamicp/error.hpp>
 
-#include "bind.hpp"
+#include "module.hpp"
 #include "refusal.hpp"
 
 namespace slamicp::python {

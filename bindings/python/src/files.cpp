@@ -13,8 +13,8 @@
 #include <slamicp/io/trajectory_file.hpp>
 
 #include "arrays.hpp"
-#include "bind.hpp"
 #include "map.hpp"
+#include "module.hpp"
 
 namespace slamicp::python {
 namespace {

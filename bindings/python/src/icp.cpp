@@ -10,8 +10,8 @@
 #include <slamicp/registration/icp.hpp>
 
 #include "arrays.hpp"
-#include "bind.hpp"
 #include "map.hpp"
+#include "module.hpp"
 #include "words.hpp"
 
 namespace slamicp::python {

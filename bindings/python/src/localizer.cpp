@@ -8,8 +8,8 @@
 #include <slamicp/localization/localizer.hpp>
 
 #include "arrays.hpp"
-#include "bind.hpp"
 #include "map.hpp"
+#include "module.hpp"
 #include "words.hpp"
 
 namespace slamicp::python {

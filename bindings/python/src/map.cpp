@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "arrays.hpp"
-#include "bind.hpp"
+#include "module.hpp"
 
 namespace slamicp::python {
 namespace {

@@ -7,8 +7,8 @@
 #include <slamicp/mapping/mapper.hpp>
 
 #include "arrays.hpp"
-#include "bind.hpp"
 #include "map.hpp"
+#include "module.hpp"
 
 namespace slamicp::python {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <slamicp/version.hpp>
+#include "module.hpp"
 
-#include "bind.hpp"
+#include <slamicp/version.hpp>
 
 NB_MODULE(_core, m) {
   using namespace slamicp::python;

@@ -7,7 +7,7 @@
 #include <slamicp/obstacles/reconstruction.hpp>
 
 #include "arrays.hpp"
-#include "bind.hpp"
+#include "module.hpp"
 
 namespace slamicp::python {
 namespace {

@@ -7,7 +7,7 @@
 #include <slamicp/scan/scan_points.hpp>
 
 #include "arrays.hpp"
-#include "bind.hpp"
+#include "module.hpp"
 
 namespace slamicp::python {
 namespace {

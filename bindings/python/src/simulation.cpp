@@ -14,7 +14,7 @@
 #include <slamicp/simulation/map_sampler.hpp>
 
 #include "arrays.hpp"
-#include "bind.hpp"
+#include "module.hpp"
 
 namespace slamicp::python {
 namespace {
