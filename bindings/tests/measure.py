@@ -18,7 +18,7 @@ def arguments():
     parser.add_argument("library")
     parser.add_argument("reference", type=pathlib.Path)
     parser.add_argument("octave")
-    parser.add_argument("--rounds", type=int, default=60)
+    parser.add_argument("--rounds", type=int, default=600)
     parser.add_argument("--octave-rounds", type=int, default=5)
     return parser.parse_args()
 
@@ -89,7 +89,7 @@ def main():
         return icp.align(corridor, points, pose)
 
     print(f"{len(points)} points against {len(map_points)}; each round each in turn, {args.rounds} rounds")
-    times = 100
+    times = 10  # short turns: what the neighbours do then hits both sides
     rows = {
         "C++, Localizer set_pose + update": lambda: cpp.time_update(times, 0),
         "C++, the same, the Fix copied": lambda: cpp.time_update(times, 1),
