@@ -90,6 +90,7 @@ typedef struct slamicp_map_options {
   double radius;           ///< neighbours farther away take no part [m]; 0.5
   double cell;             ///< in the plane, side of the index's cells [m]: 0.005 to 0.25; 0.05
   double reach;            ///< in the plane, the longest distance that is asked for, at most 15 cells [m]; 0.3
+  double scatter;          ///< in the plane, lines that points scatter about more than this count less; 1.3
 } slamicp_map_options;
 
 SLAMICP_API slamicp_status slamicp_map_options_init(slamicp_map_options* options, size_t size);
@@ -166,7 +167,8 @@ enum {
   SLAMICP_UPDATED_MAP = 16,
   SLAMICP_MATCHES = 32,
   SLAMICP_COVARIANCE = 64,  ///< in the plane, point to line
-  SLAMICP_ALL_OUTPUTS = 127
+  SLAMICP_STRAYS = 128,     ///< what a localizer's obstacles are looked for in; without it, its outliers
+  SLAMICP_ALL_OUTPUTS = 255
 };
 
 /// What a scan point is to the map, at the final pose.
@@ -219,7 +221,8 @@ SLAMICP_API void slamicp_icp_free(slamicp_icp* icp);
 /// @param outputs  an "or" of SLAMICP_MEAN_INLIER_DISTANCE, ...
 SLAMICP_API slamicp_status slamicp_icp_align(slamicp_icp* icp, const slamicp_map* map, const double* scan, size_t count,
                                              const double* guess, uint32_t outputs, slamicp_result* result);
-/// One match against points whose index is made for this call alone. Who has many scans makes a map.
+/// One match against points whose index is made for this call alone; `scatter` is infinite, as for a scan. Who has many
+/// scans makes a map.
 SLAMICP_API slamicp_status slamicp_icp_align_points(slamicp_icp* icp, int32_t dimension, const double* target,
                                                     size_t target_count, const double* scan, size_t count,
                                                     const double* guess, uint32_t outputs, slamicp_result* result);
@@ -257,12 +260,13 @@ typedef struct slamicp_localizer_options {
   double final_gate;                   ///< as slamicp_icp_options has it
   double guess_share;                  ///< as slamicp_icp_options has it
   int32_t kernel;                      ///< as slamicp_icp_options has it
-  uint32_t outputs;                    ///< mean inlier distance, outliers and covariance
+  uint32_t outputs;                    ///< mean inlier distance, outliers, covariance and strays
   double kernel_scale;                 ///< [m]
   double min_range;                    ///< shorter readings are left out [m]; 0
   double max_range;                    ///< readings at or beyond are left out [m]; 1e9
   int32_t use_odometry;                ///< predict by the scans' odometry, where they have it; 1
   int32_t deskew;                      ///< undo the motion within a scan that has a time_increment; 1
+  double obstacle_distance;            ///< of a stray from the map's surface [m]; 0, the default, is by the noise
 } slamicp_localizer_options;
 
 SLAMICP_API slamicp_status slamicp_localizer_options_init(slamicp_localizer_options* options, size_t size);
@@ -330,9 +334,31 @@ SLAMICP_API slamicp_status slamicp_localizer_recover(slamicp_localizer* localize
 
 // --- What stands there that the map does not know --------------------------------------------------------------------
 
+/// What a ray that fits nothing in the map says about the map.
+typedef enum slamicp_ray_class {
+  SLAMICP_RAY_OBSTACLE = 0,  ///< ends in front of a mapped surface
+  SLAMICP_RAY_GONE = 1,      ///< went through one: taken away, an open door, glass
+  SLAMICP_RAY_UNMAPPED = 2,  ///< ends where the map has nothing
+  SLAMICP_RAY_UNKNOWN = 3    ///< cannot be told
+} slamicp_ray_class;
+
+/// "obstacle", ...; "unknown" for any other number.
+SLAMICP_API const char* slamicp_ray_class_name(int32_t ray_class);
+
+typedef enum slamicp_shape {
+  SLAMICP_SHAPE_UNKNOWN = 0,  ///< width and depth are those of the box around the points
+  SLAMICP_SHAPE_LINE = 1,     ///< one straight side
+  SLAMICP_SHAPE_CIRCLE = 2,
+  SLAMICP_SHAPE_BOX = 3  ///< two sides at a right angle
+} slamicp_shape;
+
+/// "line", ...; "unknown" for any other number.
+SLAMICP_API const char* slamicp_shape_name(int32_t shape);
+
 typedef struct slamicp_obstacle_options {
   size_t size;
   int32_t min_points;        ///< fewer make no obstacle: at least 1; 3
+  int32_t min_far_points;    ///< of which so many are at least the obstacle distance off the map: at least 1; 2
   double range_noise;        ///< of a range, 1 sigma [m]; 0.01
   double min_incidence_deg;  ///< the flattest incidence at which a surface still holds together [deg]; 10
 } slamicp_obstacle_options;
@@ -341,18 +367,28 @@ SLAMICP_API slamicp_status slamicp_obstacle_options_init(slamicp_obstacle_option
 
 typedef struct slamicp_obstacle {
   size_t size;
-  double centre[2];  ///< of the smallest box around what was seen of it, in the map [m]
-  double width;      ///< its longer side [m]
-  double depth;      ///< its shorter side [m]
-  double heading;    ///< of the longer side, in (-pi/2, pi/2] [rad]
-  double distance;   ///< from the laser to its nearest seen point [m]
+  double centre[2];        ///< of the smallest box around what was seen of it, in the map [m]
+  double width;            ///< its longer side [m]
+  double depth;            ///< its shorter side [m]
+  double heading;          ///< of the longer side, in (-pi/2, pi/2] [rad]
+  double distance;         ///< from the laser to its nearest seen point [m]
+  double nearest[2];       ///< that point, in the map [m]
+  double shape_centre[2];  ///< of the circle or box, or the middle of the line's seen part, in the map [m]
+  double shape_width;      ///< its longer side, a circle's diameter [m]
+  double shape_depth;      ///< its shorter side; 0 for a line [m]
+  double shape_heading;    ///< of the longer side, in (-pi/2, pi/2] [rad]
+  double radius;           ///< of a circle, else 0 [m]
+  int32_t shape;           ///< slamicp_shape
+  int32_t ray_class;       ///< slamicp_ray_class, of most of its rays
+  int32_t width_seen;      ///< 1 if both ends of the longer side were seen; else the thing may be larger
+  int32_t depth_seen;      ///< the same of the shorter side
   size_t points;
   const int32_t* point_indices;  ///< into the fix's points
 } slamicp_obstacle;
 
 SLAMICP_API slamicp_status slamicp_obstacle_init(slamicp_obstacle* obstacle, size_t size);
 
-/// Groups the outliers of the last fix into obstacles, nearest first. @param count  how many there are
+/// Groups what the map does not have of the last fix into obstacles, nearest first. @param count  how many there are
 /// @param options  NULL: the defaults
 SLAMICP_API slamicp_status slamicp_localizer_find_obstacles(slamicp_localizer* localizer,
                                                             const slamicp_obstacle_options* options, size_t* count);

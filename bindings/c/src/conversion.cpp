@@ -113,7 +113,7 @@ RobustKernel kernel_from(int32_t kernel) {
   return static_cast<RobustKernel>(kernel);
 }
 
-std::optional<double> outlier_distance_from(double distance) noexcept {
+std::optional<double> distance_or_default(double distance) noexcept {
   if (distance == 0.0) return std::nullopt;
   return distance;
 }
@@ -122,7 +122,7 @@ IcpOptions icp_options_from(const slamicp_icp_options& options) {
   IcpOptions made;
   made.method = method_from(options.method);
   made.max_correspondence_distance = options.max_correspondence_distance;
-  made.outlier_distance = outlier_distance_from(options.outlier_distance);
+  made.outlier_distance = distance_or_default(options.outlier_distance);
   made.max_iterations = options.max_iterations;
   made.kernel = kernel_from(options.kernel);
   made.kernel_scale = options.kernel_scale;
@@ -144,7 +144,8 @@ Outputs outputs_from(uint32_t outputs) {
           .transformed_scan = has(SLAMICP_TRANSFORMED_SCAN),
           .updated_map = has(SLAMICP_UPDATED_MAP),
           .matches = has(SLAMICP_MATCHES),
-          .covariance = has(SLAMICP_COVARIANCE)};
+          .covariance = has(SLAMICP_COVARIANCE),
+          .strays = has(SLAMICP_STRAYS)};
 }
 
 uint32_t bits_of(const Outputs& outputs) noexcept {
@@ -156,6 +157,7 @@ uint32_t bits_of(const Outputs& outputs) noexcept {
   if (outputs.updated_map) bits |= SLAMICP_UPDATED_MAP;
   if (outputs.matches) bits |= SLAMICP_MATCHES;
   if (outputs.covariance) bits |= SLAMICP_COVARIANCE;
+  if (outputs.strays) bits |= SLAMICP_STRAYS;
   return bits;
 }
 

@@ -38,7 +38,7 @@ void write_covariance(const Matrix<3, 3>& covariance, double* numbers) noexcept;
 IcpOptions icp_options_from(const slamicp_icp_options& options);
 Method method_from(int32_t method);
 RobustKernel kernel_from(int32_t kernel);
-std::optional<double> outlier_distance_from(double distance) noexcept;
+std::optional<double> distance_or_default(double distance) noexcept;
 Outputs outputs_from(uint32_t outputs);
 uint32_t bits_of(const Outputs& outputs) noexcept;
 

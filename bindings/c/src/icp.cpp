@@ -72,7 +72,7 @@ slamicp_result align_in(slamicp_icp& icp, const IndexedPoints<D>& map, const dou
 /// As the library's align() does: an index for one match only.
 template <int D>
 IndexedPoints<D> index_once(const double* target, std::size_t count, Method method) {
-  SurfaceOptions surfaces;
+  SurfaceOptions surfaces = SurfaceOptions::sparse();
   if (method == Method::point_to_point) surfaces.neighbours = 0;
   PointCloud<D> points = to_cloud<D>(view_of_some<D>(target, count, "target"));
   if constexpr (D == 2)

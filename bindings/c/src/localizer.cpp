@@ -38,7 +38,8 @@ LocalizerOptions localizer_options_from(const slamicp_localizer_options& options
   made.method = method_from(options.method);
   made.max_iterations = options.max_iterations;
   made.max_correspondence_distance = options.max_correspondence_distance;
-  made.outlier_distance = outlier_distance_from(options.outlier_distance);
+  made.outlier_distance = distance_or_default(options.outlier_distance);
+  made.obstacle_distance = distance_or_default(options.obstacle_distance);
   made.final_gate = options.final_gate;
   made.guess_share = options.guess_share;
   made.kernel = kernel_from(options.kernel);
@@ -129,9 +130,37 @@ ObstacleOptions obstacle_options_from(const slamicp_obstacle_options* options) {
   if (options == nullptr) return made;
   check_size(options, "options");
   made.min_points = options->min_points;
+  made.min_far_points = options->min_far_points;
   made.range_noise = options->range_noise;
   made.min_incidence_deg = options->min_incidence_deg;
   return made;
+}
+
+void write_point(const Point2& point, double* numbers) noexcept {
+  numbers[0] = point.x();
+  numbers[1] = point.y();
+}
+
+slamicp_obstacle told(const Obstacle& from) noexcept {
+  slamicp_obstacle obstacle = {};
+  write_point(from.box.centre, obstacle.centre);
+  obstacle.width = from.box.width;
+  obstacle.depth = from.box.depth;
+  obstacle.heading = from.box.heading;
+  obstacle.distance = from.distance;
+  write_point(from.nearest, obstacle.nearest);
+  write_point(from.shape.centre, obstacle.shape_centre);
+  obstacle.shape_width = from.shape.width;
+  obstacle.shape_depth = from.shape.depth;
+  obstacle.shape_heading = from.shape.heading;
+  obstacle.radius = from.shape.radius;
+  obstacle.shape = static_cast<int32_t>(from.shape.kind);
+  obstacle.ray_class = static_cast<int32_t>(from.ray_class);
+  obstacle.width_seen = from.shape.width_seen ? 1 : 0;
+  obstacle.depth_seen = from.shape.depth_seen ? 1 : 0;
+  obstacle.points = from.points.size();
+  obstacle.point_indices = pointer_or_null(from.points);
+  return obstacle;
 }
 
 }  // namespace
@@ -152,9 +181,10 @@ slamicp_status slamicp_fix_init(slamicp_fix* fix, size_t size) { return initiali
 
 slamicp_status slamicp_obstacle_options_init(slamicp_obstacle_options* options, size_t size) {
   const ObstacleOptions defaults;
-  return initialize(options, size,
-                    {sizeof *options, defaults.min_points, defaults.range_noise, defaults.min_incidence_deg},
-                    "options");
+  return initialize(
+      options, size,
+      {sizeof *options, defaults.min_points, defaults.min_far_points, defaults.range_noise, defaults.min_incidence_deg},
+      "options");
 }
 
 slamicp_status slamicp_obstacle_init(slamicp_obstacle* obstacle, size_t size) {
@@ -237,16 +267,6 @@ slamicp_status slamicp_localizer_obstacle(slamicp_localizer* localizer, size_t i
     check_size(obstacle, "obstacle");
     if (index >= localizer->obstacles.size())
       throw Refusal(SLAMICP_BAD_STATE, "there is no such obstacle; slamicp_localizer_find_obstacles says how many");
-    const Obstacle& found = localizer->obstacles[index];
-    slamicp_obstacle told = {};
-    told.centre[0] = found.box.centre.x();
-    told.centre[1] = found.box.centre.y();
-    told.width = found.box.width;
-    told.depth = found.box.depth;
-    told.heading = found.box.heading;
-    told.distance = found.distance;
-    told.points = found.points.size();
-    told.point_indices = pointer_or_null(found.points);
-    write(obstacle, told);
+    write(obstacle, told(localizer->obstacles[index]));
   });
 }

@@ -18,7 +18,8 @@ slamicp_map_options default_map_options() noexcept {
           surfaces.min_neighbours,
           surfaces.radius,
           cells.cell,
-          cells.reach};
+          cells.reach,
+          surfaces.scatter};
 }
 
 void refuse_map_options(const std::string& why) { throw Refusal(SLAMICP_BAD_OPTIONS, why); }
@@ -30,10 +31,13 @@ SurfaceOptions surfaces_from(const slamicp_map_options& options) {
     refuse_map_options("min_neighbours must lie between 3 and neighbours; 5 is the default");
   if (!(options.radius > 0.0) || !std::isfinite(options.radius))
     refuse_map_options("radius must be a length above 0 m; 0.5 m is the default");
+  if (!(options.scatter > 0.0))
+    refuse_map_options("scatter must be above 0; 1.3 is the default, infinity trusts every line");
   SurfaceOptions made;
   made.neighbours = options.neighbours;
   made.min_neighbours = options.min_neighbours;
   made.radius = options.radius;
+  made.scatter = options.scatter;
   return made;
 }
 

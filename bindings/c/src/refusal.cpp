@@ -6,6 +6,8 @@
 
 #include <slamicp/error.hpp>
 #include <slamicp/localization/quality.hpp>
+#include <slamicp/obstacles/ray_class.hpp>
+#include <slamicp/obstacles/shape.hpp>
 #include <slamicp/registration/icp_result.hpp>
 #include <slamicp/version.hpp>
 
@@ -54,4 +56,14 @@ const char* slamicp_stop_name(int32_t stop) {
 const char* slamicp_state_name(int32_t state) {
   if (state < SLAMICP_TRACKING || state > SLAMICP_LOST) return "unknown";
   return slamicp::to_string(static_cast<slamicp::TrackingState>(state));
+}
+
+const char* slamicp_ray_class_name(int32_t ray_class) {
+  if (ray_class < SLAMICP_RAY_OBSTACLE || ray_class > SLAMICP_RAY_UNKNOWN) return "unknown";
+  return slamicp::to_string(static_cast<slamicp::RayClass>(ray_class));
+}
+
+const char* slamicp_shape_name(int32_t shape) {
+  if (shape < SLAMICP_SHAPE_UNKNOWN || shape > SLAMICP_SHAPE_BOX) return "unknown";
+  return slamicp::to_string(static_cast<slamicp::ShapeKind>(shape));
 }

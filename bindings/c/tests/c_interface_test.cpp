@@ -163,6 +163,13 @@ TEST(CInterfaceTest, ALocalizerIsTheSameBitForBit) {
       ASSERT_EQ(slamicp_localizer_obstacle(localizer, k, &obstacle), SLAMICP_OK);
       expect_same_bits(obstacle.width, obstacles[k].box.width);
       expect_same_indices(obstacle.point_indices, obstacle.points, obstacles[k].points);
+      expect_same_bits(obstacle.nearest[0], obstacles[k].nearest.x());
+      expect_same_bits(obstacle.shape_centre[1], obstacles[k].shape.centre.y());
+      expect_same_bits(obstacle.shape_width, obstacles[k].shape.width);
+      expect_same_bits(obstacle.radius, obstacles[k].shape.radius);
+      EXPECT_STREQ(slamicp_shape_name(obstacle.shape), to_string(obstacles[k].shape.kind));
+      EXPECT_STREQ(slamicp_ray_class_name(obstacle.ray_class), to_string(obstacles[k].ray_class));
+      EXPECT_EQ(obstacle.width_seen != 0, obstacles[k].shape.width_seen);
     }
   }
   EXPECT_GT(obstacles_seen, 0U);
@@ -282,6 +289,10 @@ TEST(CInterfaceTest, NamesAndVersion) {
   EXPECT_STREQ(slamicp_stop_name(-1), "unknown");
   EXPECT_STREQ(slamicp_state_name(SLAMICP_LOST), "lost");
   EXPECT_STREQ(slamicp_state_name(4), "unknown");
+  EXPECT_STREQ(slamicp_shape_name(SLAMICP_SHAPE_CIRCLE), "circle");
+  EXPECT_STREQ(slamicp_shape_name(4), "unknown");
+  EXPECT_STREQ(slamicp_ray_class_name(SLAMICP_RAY_GONE), "gone");
+  EXPECT_STREQ(slamicp_ray_class_name(-1), "unknown");
 }
 
 }  // namespace

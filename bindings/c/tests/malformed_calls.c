@@ -90,6 +90,8 @@ static void malformed_map_options(void) {
     BAD_MAP_OPTION(cell, bad_lengths[k])
     BAD_MAP_OPTION(reach, bad_lengths[k])
   }
+  BAD_MAP_OPTION(scatter, 0.0)
+  BAD_MAP_OPTION(scatter, NAN)
   BAD_MAP_OPTION(cell, 1.0)
   BAD_MAP_OPTION(reach, 10.0)
   for (int k = 0; k < bad_sizes; ++k) {
@@ -193,7 +195,7 @@ static void malformed_matches(slamicp_icp* icp, const slamicp_map* map, const sl
   EXPECT(SLAMICP_NULL_POINTER, slamicp_icp_align(icp, map, NULL, 9, guess, 0, &result));
   EXPECT(SLAMICP_NULL_POINTER, slamicp_icp_align(icp, map, scan, 9, NULL, 0, &result));
   EXPECT(SLAMICP_NULL_POINTER, slamicp_icp_align(icp, map, scan, 9, guess, 0, NULL));
-  EXPECT(SLAMICP_BAD_OPTIONS, slamicp_icp_align(icp, map, scan, 9, guess, 128, &result));
+  EXPECT(SLAMICP_BAD_OPTIONS, slamicp_icp_align(icp, map, scan, 9, guess, 256, &result));
   EXPECT(SLAMICP_BAD_OPTIONS, slamicp_icp_align(icp, map, scan, 9, guess, UINT32_MAX, &result));
   EXPECT(SLAMICP_BAD_POINTS, slamicp_icp_align(icp, map, scan, SIZE_MAX, guess, 0, &result));
   EXPECT(SLAMICP_BAD_POINTS, slamicp_icp_align(icp, map, far_away, 1, guess, 0, &result));
@@ -242,6 +244,8 @@ static void malformed_localizer_options(const slamicp_map* map, const slamicp_ma
   BAD_LOCALIZER_OPTION(min_range, NAN)
   BAD_LOCALIZER_OPTION(max_range, 0.0)
   BAD_LOCALIZER_OPTION(max_range, NAN)
+  BAD_LOCALIZER_OPTION(obstacle_distance, -0.1)
+  BAD_LOCALIZER_OPTION(obstacle_distance, NAN)
   for (int k = 0; k < lengths; ++k) {
     BAD_LOCALIZER_OPTION(max_correspondence_distance, bad_lengths[k])
     BAD_LOCALIZER_OPTION(kernel_scale, bad_lengths[k])
@@ -315,6 +319,7 @@ static void malformed_questions(slamicp_localizer* localizer, const slamicp_map*
   EXPECT(SLAMICP_BAD_OPTIONS, slamicp_localizer_find_obstacles(localizer, &bad, &count));
   BAD_OBSTACLE_OPTION(min_points, 0)
   BAD_OBSTACLE_OPTION(min_points, INT_MIN)
+  BAD_OBSTACLE_OPTION(min_far_points, 0)
   BAD_OBSTACLE_OPTION(range_noise, -1.0)
   BAD_OBSTACLE_OPTION(range_noise, NAN)
   BAD_OBSTACLE_OPTION(min_incidence_deg, 0.0)

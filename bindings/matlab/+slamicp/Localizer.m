@@ -8,8 +8,9 @@
 %   found = localizer.recover(1000)             looks around where fix.state is 'suspect' or 'lost'
 %   localizer.set_map(map)                      another map, from the next scan on
 %
-% Options: 'max_correspondence_distance' (0.3 m, the paper's indist), 'outlier_distance' (the same, Ot), 'method',
-% 'max_iterations' (50), 'final_gate', 'guess_share', 'min_range', 'max_range' [m], 'use_odometry' (1), 'deskew' (1).
+% Options: 'max_correspondence_distance' (0.3 m, the paper's indist), 'outlier_distance' (the same, Ot), 'obstacle_distance'
+% (what obstacles begin at; by the noise), 'method', 'max_iterations' (50), 'final_gate', 'guess_share', 'min_range',
+% 'max_range' [m], 'use_odometry' (1), 'deskew' (1).
 %
 % ranges: a vector, double or single [m]; beam i points to angle_min + (i - 1) * angle_increment [rad]; NaN, Inf and 0 are no
 % returns. Of a scan: 'stamp' [s], 'time_increment' [s], 'range_min', 'range_max' [m], 'laser_pose' (where the laser sits on
@@ -17,7 +18,9 @@
 %
 % fix is a struct: pose, predicted, covariance (of the error ahead, left, heading), stop, usable, state, probability,
 % awareness, iterations, inliers, mean_inlier_distance, points (2 x K in the robot's frame), beams (1 x K, from 1), outliers
-% (columns of points), outliers_in_map, stamp. An obstacle has centre, width, depth, heading, distance, points.
+% (columns of points), outliers_in_map, stamp. An obstacle has centre, width, depth, heading (of the box around what was
+% seen), distance, nearest, ray_class, points, and what it looks like: shape ('line', 'circle', 'box', 'unknown'),
+% shape_centre, shape_width, shape_depth, shape_heading, radius, width_seen, depth_seen.
 %
 % See also SLAMICP, slamicp.Map.
 classdef Localizer < handle

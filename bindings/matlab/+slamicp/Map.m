@@ -5,7 +5,7 @@
 %
 % Options: 'neighbours' (12; points that a line is fitted to, 0: none, for point_to_point only), 'min_neighbours' (5),
 % 'radius' (0.5 m; farther ones take no part), 'cell' (0.05 m; of the index, 2D), 'reach' (0.3 m; the longest distance that
-% is asked for, 2D, at most 15 cells).
+% is asked for, 2D, at most 15 cells), 'scatter' (1.3; lines that points scatter about more count less, 2D; Inf: none does).
 %
 %   [P, n, md, Oindx, Ocoords, tT, uM] = SLAMICP(map, T, indist, method, iter, Pprev, Ot)
 %   grown = map.with_added(points)              another map, these points behind the old ones

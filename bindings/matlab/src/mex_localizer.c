@@ -9,6 +9,7 @@
 static const option localizer_options[] = {LOCALIZER_OPTION(method, true),
                                            LOCALIZER_OPTION(max_iterations, true),
                                            LOCALIZER_OPTION(outlier_distance, false),
+                                           LOCALIZER_OPTION(obstacle_distance, false),
                                            LOCALIZER_OPTION(max_correspondence_distance, false),
                                            LOCALIZER_OPTION(final_gate, false),
                                            LOCALIZER_OPTION(guess_share, false),
@@ -19,7 +20,7 @@ static const option localizer_options[] = {LOCALIZER_OPTION(method, true),
 
 /// handle = localizer_new(map, 'name', value, ...); map 0: none, scan to scan
 void command_localizer_new(const mex_call* call) {
-  need_inputs(call, 1, 1 + 2 * 10);
+  need_inputs(call, 1, 1 + 2 * 11);
   need_outputs(call, 1);
   const slamicp_map* const map = need_number(call->input[0], "the handle") == 0.0 ? NULL : need_map(call->input[0]);
   slamicp_localizer_options options;
@@ -131,7 +132,9 @@ void command_localizer_recover(const mex_call* call) {
 
 /// obstacles = localizer_obstacles(handle)
 void command_localizer_obstacles(const mex_call* call) {
-  static const char* names[] = {"centre", "width", "depth", "heading", "distance", "points"};
+  static const char* names[] = {
+      "centre",       "width",       "depth",       "heading",       "distance", "nearest",    "ray_class",  "shape",
+      "shape_centre", "shape_width", "shape_depth", "shape_heading", "radius",   "width_seen", "depth_seen", "points"};
   need_inputs(call, 1, 1);
   need_outputs(call, 1);
   slamicp_localizer* const localizer = need_localizer(call->input[0]);
@@ -148,6 +151,16 @@ void command_localizer_obstacles(const mex_call* call) {
     set_field(made, at, "depth", mxCreateDoubleScalar(obstacle.depth));
     set_field(made, at, "heading", mxCreateDoubleScalar(obstacle.heading));
     set_field(made, at, "distance", mxCreateDoubleScalar(obstacle.distance));
+    set_field(made, at, "nearest", matrix_of(obstacle.nearest, 2, 1));
+    set_field(made, at, "ray_class", mxCreateString(slamicp_ray_class_name(obstacle.ray_class)));
+    set_field(made, at, "shape", mxCreateString(slamicp_shape_name(obstacle.shape)));
+    set_field(made, at, "shape_centre", matrix_of(obstacle.shape_centre, 2, 1));
+    set_field(made, at, "shape_width", mxCreateDoubleScalar(obstacle.shape_width));
+    set_field(made, at, "shape_depth", mxCreateDoubleScalar(obstacle.shape_depth));
+    set_field(made, at, "shape_heading", mxCreateDoubleScalar(obstacle.shape_heading));
+    set_field(made, at, "radius", mxCreateDoubleScalar(obstacle.radius));
+    set_field(made, at, "width_seen", mxCreateLogicalScalar(obstacle.width_seen != 0));
+    set_field(made, at, "depth_seen", mxCreateLogicalScalar(obstacle.depth_seen != 0));
     set_field(made, at, "points", indices_of(obstacle.point_indices, obstacle.points));
   }
   call->output[0] = made;

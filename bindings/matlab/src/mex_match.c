@@ -84,11 +84,12 @@ void command_transform(const mex_call* call) {
 #define MAP_OPTION(field, is_whole) \
   { #field, offsetof(slamicp_map_options, field), is_whole }
 static const option map_options[] = {MAP_OPTION(neighbours, true), MAP_OPTION(min_neighbours, true),
-                                     MAP_OPTION(radius, false), MAP_OPTION(cell, false), MAP_OPTION(reach, false)};
+                                     MAP_OPTION(radius, false),    MAP_OPTION(cell, false),
+                                     MAP_OPTION(reach, false),     MAP_OPTION(scatter, false)};
 
 /// handle = map_new(points, 'name', value, ...)
 void command_map_new(const mex_call* call) {
-  need_inputs(call, 1, 1 + 2 * 5);
+  need_inputs(call, 1, 1 + 2 * 6);
   need_outputs(call, 1);
   const cloud points = need_cloud(call->input[0], "points");
   slamicp_map_options options;

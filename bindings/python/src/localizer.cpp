@@ -55,15 +55,16 @@ class Follower {
 };
 
 void make_follower(Follower* made, const Map* map, double max_correspondence_distance,
-                   std::optional<double> outlier_distance, const std::string& method, int max_iterations,
-                   const std::string& kernel, double kernel_scale, double final_gate, double guess_share,
-                   double min_range, double max_range, bool use_odometry, bool deskew, bool covariance,
-                   bool transformed_scan, bool matches) {
+                   std::optional<double> outlier_distance, std::optional<double> obstacle_distance,
+                   const std::string& method, int max_iterations, const std::string& kernel, double kernel_scale,
+                   double final_gate, double guess_share, double min_range, double max_range, bool use_odometry,
+                   bool deskew, bool covariance, bool transformed_scan, bool matches) {
   if (!(min_range >= 0.0) || !(max_range > min_range))
     throw Refusal(SLAMICP_BAD_OPTIONS, "min_range must be at least 0 m and below max_range");
   LocalizerOptions options;
   options.max_correspondence_distance = max_correspondence_distance;
   options.outlier_distance = outlier_distance;
+  options.obstacle_distance = obstacle_distance;
   options.method = method_named(method);
   options.max_iterations = max_iterations;
   options.kernel = kernel_named(kernel);
@@ -170,11 +171,12 @@ void bind_localizer(nb::module_& m) {
       "Follows a robot through its map, scan by scan: predict by odometry (or constant velocity), match, "
       "hand out a Fix.\n\nWithout a map each scan is matched to the one before. Threads take turns.")
       .def("__init__", make_follower, "map"_a.none() = nb::none(), nb::kw_only(), "max_correspondence_distance"_a = 0.3,
-           "outlier_distance"_a = nb::none(), "method"_a = "point_to_line", "max_iterations"_a = 50,
-           "kernel"_a = "none", "kernel_scale"_a = 0.05, "final_gate"_a = 0.0, "guess_share"_a = 0.0,
-           "min_range"_a = 0.0, "max_range"_a = 1e9, "use_odometry"_a = true, "deskew"_a = true, "covariance"_a = true,
-           "transformed_scan"_a = false, "matches"_a = false,
-           "map: of 2 dimensions. max_correspondence_distance (the paper's indist), outlier_distance (O_t), method, "
+           "outlier_distance"_a = nb::none(), "obstacle_distance"_a = nb::none(), "method"_a = "point_to_line",
+           "max_iterations"_a = 50, "kernel"_a = "none", "kernel_scale"_a = 0.05, "final_gate"_a = 0.0,
+           "guess_share"_a = 0.0, "min_range"_a = 0.0, "max_range"_a = 1e9, "use_odometry"_a = true, "deskew"_a = true,
+           "covariance"_a = true, "transformed_scan"_a = false, "matches"_a = false,
+           "map: of 2 dimensions. obstacle_distance: what find_obstacles() begins at [m], by default from the noise.\n"
+           "max_correspondence_distance (the paper's indist), outlier_distance (O_t), method, "
            "kernel,\nfinal_gate, guess_share: as align() has them. min_range, max_range: other readings are left out "
            "[m].\n"
            "use_odometry: predict by the scans' odometry, where they have it. deskew: undo the motion within a scan "

@@ -14,26 +14,29 @@
 namespace slamicp::python {
 namespace {
 
-SurfaceOptions surfaces_of(int neighbours, double radius, int min_neighbours, int threads) {
+SurfaceOptions surfaces_of(int neighbours, double radius, int min_neighbours, double scatter, int threads) {
   if (neighbours < 0 || neighbours > 64)
     throw Refusal(SLAMICP_BAD_OPTIONS, "neighbours must lie between 0 (no lines) and 64; 12 is the default");
   if (neighbours > 0 && (min_neighbours < 3 || min_neighbours > neighbours))
     throw Refusal(SLAMICP_BAD_OPTIONS, "min_neighbours must lie between 3 and neighbours; 5 is the default");
   if (!(radius > 0.0) || !std::isfinite(radius))
     throw Refusal(SLAMICP_BAD_OPTIONS, "radius must be a length above 0 m; 0.5 m is the default");
+  if (!(scatter > 0.0))
+    throw Refusal(SLAMICP_BAD_OPTIONS, "scatter must be above 0; 1.3 is the default, infinity trusts every line");
   if (threads < 1 || threads > 256) throw Refusal(SLAMICP_BAD_OPTIONS, "threads must lie between 1 and 256");
   SurfaceOptions surfaces;
   surfaces.neighbours = neighbours;
   surfaces.radius = radius;
   surfaces.min_neighbours = min_neighbours;
+  surfaces.scatter = scatter;
   surfaces.threads = threads;
   return surfaces;
 }
 
-void make_map(Map* made, nb::handle given, int neighbours, double radius, int min_neighbours, double cell, double reach,
-              int threads) {
+void make_map(Map* made, nb::handle given, int neighbours, double radius, int min_neighbours, double scatter,
+              double cell, double reach, int threads) {
   const PointArray points(given, "points");
-  const SurfaceOptions surfaces = surfaces_of(neighbours, radius, min_neighbours, threads);
+  const SurfaceOptions surfaces = surfaces_of(neighbours, radius, min_neighbours, scatter, threads);
   CellOptions cells;
   cells.cell = cell;
   cells.reach = reach;
@@ -103,15 +106,16 @@ void bind_map(nb::module_& m) {
                   "Points, the line (in 3D plane) around each, and an index to find the nearest.\n\n"
                   "A map never changes: an update makes another one. Any number of threads may use it.")
       .def("__init__", make_map, "points"_a, nb::kw_only(), "neighbours"_a = 12, "radius"_a = 0.5,
-           "min_neighbours"_a = 5, "cell"_a = 0.05, "reach"_a = 0.3, "threads"_a = 1,
+           "min_neighbours"_a = 5, "scatter"_a = 1.3, "cell"_a = 0.05, "reach"_a = 0.3, "threads"_a = 1,
            nb::sig("def __init__(self, points: numpy.typing.NDArray[numpy.float64], *, neighbours: int = 12, radius: "
-                   "float = 0.5, min_neighbours: int = 5, cell: float = 0.05, reach: float = 0.3, threads: int = 1) -> "
-                   "None"),
+                   "float = 0.5, min_neighbours: int = 5, scatter: float = 1.3, cell: float = 0.05, reach: float = "
+                   "0.3, threads: int = 1) -> None"),
            "A map of these points.\n\n"
            "points: (K, 2) or (K, 3), in the map's frame [m]. Points that are not finite keep their number and are\n"
            "  never found; at least one must be finite.\n"
            "neighbours: points that a line is fitted to, at most 64; 0: no lines, for point-to-point only.\n"
            "radius: neighbours farther away take no part [m]. min_neighbours: with fewer a point has no line.\n"
+           "scatter: lines that points scatter about more than this times the map's median count less, 2D; inf: none.\n"
            "cell: side of the index's cells [m], 2D. reach: the longest distance asked for, at most 15 cells [m], 2D.\n"
            "threads: to fit lines with; the result is the same for any number. O(K log K). Raises Error.")
       .def("__len__", [](const Map& map) { return map.plane ? map.plane->size() : map.space->size(); })

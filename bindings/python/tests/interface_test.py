@@ -109,6 +109,8 @@ def test_obstacles_stand_where_the_box_stands(corridor_map, scan, guess):
     fix = localizer.update(scan)
     obstacles = slamicp.find_obstacles(fix, scan)
     assert obstacles and obstacles[0].width <= 0.6
+    assert obstacles[0].ray_class == "obstacle" and np.linalg.norm(obstacles[0].nearest - obstacles[0].centre) < 0.5
+    assert obstacles[0].shape.kind in ("box", "line") and 0.1 < obstacles[0].shape.width < 0.6
     seen = fix.outliers_in_map
     assert np.min(np.linalg.norm(seen - obstacles[0].centre, axis=1)) < 0.4
     assert obstacles[0].corners.shape == (4, 2)
