@@ -2,6 +2,7 @@
 #include "obstacles/followed.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace slamicp {
 namespace {
@@ -9,12 +10,18 @@ namespace {
 /// Tests in a row that must.
 constexpr int tests_that_tell = 2;
 
+/// How far a thing has come, at least: where more of it is seen than before, or less, its middle is elsewhere by half
+/// of that without a step.
+double way(const Point2& from, double width_then, const Point2& to, double width_now) noexcept {
+  return (to - from).norm() - 0.5 * std::abs(width_now - width_then);
+}
+
 /// It is elsewhere than when the view was made, and free space says so too.
 bool has_moved_since(const Followed& it, int slot, const PastViews& views, const LaserView& now,
                      const ViewErrors& errors, double least_motion) noexcept {
   const Followed::Before& before = it.before[static_cast<std::size_t>(slot)];
   const Point2& here = it.motion.position;
-  if ((here - before.middle).norm() < least_motion + errors.shift) return false;
+  if (way(before.middle, before.width, here, it.width) < least_motion + errors.shift) return false;
   const FreeSpace came = free_space(views.view(slot), it.footprint, errors, true);
   if (came.tells()) return true;
   const FreeSpace left = free_space(now, before.footprint, errors, false);
@@ -30,12 +37,14 @@ bool goes_on_moving(const Followed& it, const PastViews& views, double least_mot
   const double part = 0.6 * least_motion;
   for (int middle = 0; middle < PastViews::most; ++middle) {
     if (!known(middle)) continue;
-    const Point2& then = it.before[static_cast<std::size_t>(middle)].middle;
-    if ((it.motion.position - then).norm() < part) continue;
-    for (int first = 0; first < PastViews::most; ++first)
+    const Followed::Before& then = it.before[static_cast<std::size_t>(middle)];
+    if (way(then.middle, then.width, it.motion.position, it.width) < part) continue;
+    for (int first = 0; first < PastViews::most; ++first) {
+      const Followed::Before& once = it.before[static_cast<std::size_t>(first)];
       if (known(first) && views.stamp(first) < views.stamp(middle) &&
-          (then - it.before[static_cast<std::size_t>(first)].middle).norm() >= part)
+          way(once.middle, once.width, then.middle, then.width) >= part)
         return true;
+    }
   }
   return false;
 }

@@ -17,6 +17,7 @@ struct Followed {
   struct Before {
     int serial = 0;  // of the view; 0: not seen then
     Point2 middle = Point2::Zero();
+    double width = 0.0;
     Footprint footprint;
   };
 
@@ -24,6 +25,7 @@ struct Followed {
   ConstantVelocity motion;
   std::array<Before, PastViews::most> before;
   Footprint footprint;      // as last seen
+  double width = 0.0;       // the same [m]
   int missed = 0;           // scans since it began that did not show it
   double patience = 0.0;    // without being seen [s]
   double leg_share = 0.0;   // of the last scans that showed it as wide as a leg
@@ -32,11 +34,13 @@ struct Followed {
   double last_stood = 0.0;  // when a test told otherwise [s]
   int evidence = 0;         // tests in a row that told that it moves
   bool ever_moved = false;
-  double beside = 0.0;          // when it last stood beside a leg that moved [s]
-  bool is_part = false;         // as last seen: what is seen of it changes with the map's edge
-  int partner = 0;              // id of the leg that keeps near; 0: none
-  int together = 0;             // tests in a row that it did
-  Point2 met = Point2::Zero();  // the middle of both when it began to
+  Point2 set_out = Point2::Zero();  // where it was first told to move ...
+  double reached = 0.0;             // ... and how far from there it has been since [m]
+  double beside = 0.0;              // when it last stood beside a leg that moved [s]
+  bool is_part = false;             // as last seen: what is seen of it changes with the map's edge
+  int partner = 0;                  // id of the leg that keeps near; 0: none
+  int together = 0;                 // tests in a row that it did
+  Point2 met = Point2::Zero();      // the middle of both when it began to
 
   bool is_person() const noexcept { return shown.kind == TrackKind::person; }
   bool seen_at(double stamp) const noexcept { return shown.last_seen == stamp; }

@@ -174,6 +174,7 @@ void ObstacleTracker::State::see(Followed& it) noexcept {
   } else {
     it.motion.correct(first.middle, first.noise + spread_of(it, first));
   }
+  it.width = width;
   constexpr double newest = 0.15;
   it.shown.width += newest * (width - it.shown.width);
   it.leg_share += newest * ((first.is_leg ? 1.0 : 0.0) - it.leg_share);
@@ -206,6 +207,14 @@ void ObstacleTracker::State::miss(Followed& it, const LaserView& now, bool knows
 
 /// What it is, by its size and motion. Of what has moved and is no wider than somebody, one leg is seen, or both.
 void ObstacleTracker::State::name(Followed& it) const noexcept {
+  constexpr double least_walk = 0.3;  // [m]
+  if (it.moves()) {
+    if (!it.ever_moved) it.set_out = it.motion.position;
+    it.reached = std::max(it.reached, (it.motion.position - it.set_out).norm());
+  } else if (it.ever_moved && it.shown.motion == TrackMotion::still && it.reached < least_walk) {
+    it.ever_moved = false;  // it jumped once, as what comes into view does: nobody walks like that
+    it.shown.kind = TrackKind::thing;
+  }
   if (it.is_person()) return;
   if (!it.moves() && !it.ever_moved) {
     const bool is_alone = stamp - it.beside > 2.0 * options.settle;
@@ -236,6 +245,7 @@ void ObstacleTracker::State::begin() noexcept {
     it.motion.of_velocity = round_noise(first_speed);
     it.leg_share = seen.is_leg ? 0.6 : 0.4;
     it.footprint = seen.footprint;
+    it.width = seen.width;
     it.is_part = seen.is_part;
     it.next_test = stamp + seconds_between_tests;
     followed.push_back(it);
@@ -259,6 +269,7 @@ Followed* ObstacleTracker::State::leg_beside(const Followed& leg) noexcept {
     if (&it == &leg || !it.seen_at(stamp) || it.shown.state != TrackState::confirmed) continue;
     if (it.is_person() ? it.shown.obstacles[1] >= 0 : it.shown.width > widest_leg) continue;
     if (!it.ever_moved && it.shown.motion == TrackMotion::still) continue;  // a post
+    if (!it.is_person() && it.shown.width < 1.6 * least_leg) continue;      // too thin
     const double distance = (it.motion.position - leg.motion.position).norm();
     if (distance >= least) continue;
     least = distance;
@@ -326,6 +337,8 @@ void ObstacleTracker::State::join(Followed& a, Followed& b) noexcept {
     stays.motion.of_both.setZero();
     stays.motion.of_velocity = round_noise(0.5);
   }
+  stays.ever_moved = true;
+  stays.reached = std::max(stays.reached, step_between_legs);  // two of them went along
   stays.shown.motion = TrackMotion::moving;
   stays.last_moved = std::max(stays.last_moved, goes.last_moved);
   stays.shown.obstacles[1] = goes.shown.obstacles[0];
@@ -340,6 +353,7 @@ void ObstacleTracker::State::keep_view(const LaserView& now) noexcept {
     Followed::Before& before = it.before[static_cast<std::size_t>(slot)];
     before.serial = it.seen_at(stamp) && !it.is_part ? views.serial(slot) : 0;
     before.middle = it.motion.position;
+    before.width = it.width;
     before.footprint = it.footprint;
   }
 }

@@ -110,6 +110,21 @@ TEST(ObstacleTracker, AWallOfBoxesThatTheRobotDrivesRoundNeverMoves) {
       std::any_of(tracks.begin(), tracks.end(), [](const Track& track) { return track.motion == TrackMotion::still; }));
 }
 
+TEST(ObstacleTracker, WhatComesIntoViewPieceByPieceNeverMoves) {
+  World world = hall();
+  world = with_box(world, {{5.0, 4.0}, 0.8, 0.3, 0.0});  // hides what stands behind it
+  for (const double across : {3.0, 4.0, 5.0}) world = with_box(world, {{7.5, across}, 0.2, 0.55, 0.0});
+  Watch watch(world);
+  watch.lidar.rate = 7.5;
+  while (watch.stamp < 8.0) {
+    const Pose2 pose{2.0 + 0.1 * watch.stamp, 2.0 + 0.5 * watch.stamp, 0.4 * std::sin(watch.stamp)};
+    for (const Track& track : watch.look(pose)) {
+      EXPECT_EQ(track.kind, TrackKind::thing) << track.brief() << " at " << watch.stamp;
+      EXPECT_NE(track.motion, TrackMotion::moving) << track.brief() << " at " << watch.stamp;
+    }
+  }
+}
+
 TEST(ObstacleTracker, WhoIsHiddenForAWhileIsTheSameAfterwards) {
   World world = hall();
   world = with_box(world, {{4.0, 4.0}, 0.1, 0.8, 0.0});  // they pass behind it
