@@ -40,8 +40,8 @@ TEST_F(LegTrial, FindsFewWhereNobodyIs) {
     ASSERT_FALSE(scans.empty());
     ScanOdometry odometry;
     for (const LaserScan& scan : scans) odometry.add(scan);
-    follow_log(scans, background_of(scans, odometry.trajectory()), odometry.trajectory().front().pose,
-               setup_for_legs(), [&](const TrackedScan& tracked) { add_legs(tracked, {}, 0.3, score); });
+    follow_log(scans, background_of(scans, odometry.trajectory()), odometry.trajectory().front().pose, setup_for_legs(),
+               [&](const TrackedScan& tracked) { add_legs(tracked, {}, 0.3, score); });
   }
   EXPECT_LE(score.leg_tracks_a_scan(), 0.1);
 }
