@@ -85,12 +85,12 @@ void Judge::forget() noexcept {
   doubtful_ = 0;
 }
 
-Quality Judge::update(const Evidence& evidence, bool matched, bool held, bool surprised) noexcept {
+Quality Judge::update(const Evidence& evidence, bool matched, bool held, double surprise) noexcept {
   constexpr double unmatched = -4.0;
   constexpr double surest = 7.0;
   const double by_scan = matched && evidence.rays > 0 ? std::clamp(log_odds(evidence), -surest, surest) : unmatched;
   log_odds_ += (by_scan - log_odds_) / options_.memory;
-  if (surprised) record_ = 0.0;
+  record_ *= 1.0 - surprise;
   ++scans_;
   const double memory = std::min(static_cast<double>(scans_), options_.awareness_memory);
   awareness_ += (evidence.explained - awareness_) / memory;

@@ -36,8 +36,8 @@ class Judge {
 
   /// @param matched  false where the match found no pose
   /// @param held     false where some direction is blind
-  /// @param surprised  true where the match contradicts the prediction
-  Quality update(const Evidence& evidence, bool matched, bool held, bool surprised) noexcept;
+  /// @param surprise  what of the record a match costs that contradicts the prediction, 0 to 1
+  Quality update(const Evidence& evidence, bool matched, bool held, double surprise) noexcept;
 
  private:
   TrackingState next_state(bool held) noexcept;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <slamicp/error.hpp>
+#include <slamicp/geometry/angle.hpp>
 #include <slamicp/localization/localizer.hpp>
 #include <slamicp/registration/icp.hpp>
 
@@ -89,6 +90,7 @@ struct Localizer::State {
   void match(std::span<const LaserScan> scans);
   void predict(const LaserScan& first, const Pose2& motion) noexcept;
   void judge(const LaserScan& first) noexcept;
+  double surprise() const noexcept;
   void doubt() noexcept;
   bool recover(int budget);
   void look_along_blind_direction();
@@ -182,6 +184,15 @@ void Localizer::State::judge(const LaserScan& first) noexcept {
   fix.covariance(2, 2) += match.twist_sigma * match.twist_sigma * along2;
 }
 
+/// How likely a match that contradicts the prediction has taken the robot elsewhere: the farther it went, the likelier.
+double Localizer::State::surprise() const noexcept {
+  constexpr double far = 0.15;                // [m]
+  constexpr double wide = 5.0 * rad_per_deg;  // [rad]
+  if (!(fix.match.uncertainty.surprise >= Uncertainty::credible)) return 0.0;
+  const PoseDistance off = distance(fix.pose, fix.predicted);
+  return std::min(1.0, std::max(off.translation / far, off.rotation / wide));
+}
+
 /// Whether the pose is right at all.
 void Localizer::State::doubt() noexcept {
   if (options.quality.rays == 0 || scan_to_scan) return;
@@ -193,7 +204,7 @@ void Localizer::State::doubt() noexcept {
   const Evidence evidence = look(points, {fix.scan, fix.ray_origins, fix.pose}, options.quality.rays,
                                  options.max_correspondence_distance, noise);
   const bool held = fix.match.stop != Stop::degenerate && fix.blind_direction.isZero();
-  fix.quality = judge_of_pose.update(evidence, matched, held, fix.match.uncertainty.surprise >= Uncertainty::credible);
+  fix.quality = judge_of_pose.update(evidence, matched, held, surprise());
   if (!fix.quality.doubted()) trusted = fix.pose;
 }
 

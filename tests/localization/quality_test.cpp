@@ -51,10 +51,10 @@ Evidence bad() { return {64, 0.3, 0.4, 0.2, 0.2}; }
 
 TEST(JudgeTest, DoubtsOnlyWhenScansSpeakAgainstThePoseForAWhile) {
   Judge judge({});
-  for (int k = 0; k < 50; ++k) EXPECT_EQ(judge.update(good(), true, true, false).state, TrackingState::tracking);
-  EXPECT_EQ(judge.update(bad(), true, true, false).state, TrackingState::tracking) << "one scan is not enough";
+  for (int k = 0; k < 50; ++k) EXPECT_EQ(judge.update(good(), true, true, 0.0).state, TrackingState::tracking);
+  EXPECT_EQ(judge.update(bad(), true, true, 0.0).state, TrackingState::tracking) << "one scan is not enough";
   int until = 1;
-  while (judge.update(bad(), true, true, false).state == TrackingState::tracking) ++until;
+  while (judge.update(bad(), true, true, 0.0).state == TrackingState::tracking) ++until;
   EXPECT_LE(until, 15);
 }
 
@@ -62,34 +62,35 @@ TEST(JudgeTest, IsLostAfterAWhileAndComesBackSlowly) {
   const QualityOptions options;
   Judge judge(options);
   Quality quality;
-  for (int k = 0; k < 40; ++k) quality = judge.update(bad(), true, true, false);
+  for (int k = 0; k < 40; ++k) quality = judge.update(bad(), true, true, 0.0);
   EXPECT_EQ(quality.state, TrackingState::lost);
   EXPECT_LT(quality.probability, 0.05);
-  EXPECT_EQ(judge.update(good(), true, true, false).state, TrackingState::lost) << "hysteresis";
-  for (int k = 0; k < 100; ++k) quality = judge.update(good(), true, true, false);
+  EXPECT_EQ(judge.update(good(), true, true, 0.0).state, TrackingState::lost) << "hysteresis";
+  for (int k = 0; k < 100; ++k) quality = judge.update(good(), true, true, 0.0);
   EXPECT_EQ(quality.state, TrackingState::tracking);
   EXPECT_GT(quality.probability, options.trusted_above);
 }
 
 TEST(JudgeTest, ABlindDirectionIsDegenerateAndNoMatchIsDoubted) {
   Judge judge({});
-  EXPECT_EQ(judge.update(good(), true, false, false).state, TrackingState::degenerate);
+  EXPECT_EQ(judge.update(good(), true, false, 0.0).state, TrackingState::degenerate);
   Quality quality;
-  for (int k = 0; k < 40; ++k) quality = judge.update({}, false, true, false);
+  for (int k = 0; k < 40; ++k) quality = judge.update({}, false, true, 0.0);
   EXPECT_EQ(quality.state, TrackingState::lost);
 }
 
 TEST(JudgeTest, APoseFollowedForLongIsDoubtedLaterUnlessItSurprised) {
-  const auto doubted_after = [](int good_scans, bool surprised) {
+  const auto doubted_after = [](int good_scans, double surprise) {
     Judge judge({});
-    for (int k = 0; k < good_scans; ++k) judge.update(good(), true, true, false);
+    for (int k = 0; k < good_scans; ++k) judge.update(good(), true, true, 0.0);
     int scans = 1;
-    while (!judge.update(bad(), true, true, surprised && scans == 1).doubted()) ++scans;
+    while (!judge.update(bad(), true, true, scans == 1 ? surprise : 0.0).doubted()) ++scans;
     return scans;
   };
-  EXPECT_GT(doubted_after(1000, false), doubted_after(40, false));
-  EXPECT_EQ(doubted_after(1000, true), doubted_after(40, true));
-  EXPECT_LT(doubted_after(1000, false), 40) << "within a second all the same";
+  EXPECT_GT(doubted_after(1000, 0.0), doubted_after(40, 0.0));
+  EXPECT_EQ(doubted_after(1000, 1.0), doubted_after(40, 1.0));
+  EXPECT_GT(doubted_after(1000, 0.3), doubted_after(1000, 1.0)) << "a small surprise costs little";
+  EXPECT_LT(doubted_after(1000, 0.0), 40) << "within a second all the same";
 }
 
 TEST(QualityOptionsTest, NamesWhatIsWrong) {
