@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include <slamicp/error.hpp>
 #include <slamicp/evaluation/covariance_trial.hpp>
 #include <slamicp/evaluation/trial_world.hpp>
 #include <slamicp/scan/scan_points.hpp>
-#include <slamicp/simulation/map_sampler.hpp>
 
 namespace slamicp {
 namespace {
@@ -27,10 +28,21 @@ struct RangesAround {
   Vector<2> slope(std::size_t i) const noexcept { return {(ahead[i] - here[i]) / step, (left[i] - here[i]) / step}; }
 };
 
+/// True for a place this near to where walls end or meet, or to something round.
+bool is_at_corner(const World& world, const Point2& place, double reach) {
+  for (const Segment& wall : world.walls)
+    if (std::min((place - wall.a).norm(), (place - wall.b).norm()) < reach) return true;
+  for (const Door& door : world.doors)
+    for (const Segment& side : sides(leaf(door, door.opening)))
+      if ((place - side.a).norm() < reach) return true;
+  return std::any_of(world.pillars.begin(), world.pillars.end(),
+                     [&](const Circle& pillar) { return (place - pillar.centre).norm() < pillar.radius + reach; });
+}
+
 }  // namespace
 
 Matrix<3, 3> least_covariance(const World& known, const World& world, const Pose2& T_map_robot, const LidarModel& lidar,
-                              double range_noise, double map_noise) {
+                              double range_noise, double map_noise, double off_corners) {
   const RangesAround around(world, T_map_robot, lidar);
   std::vector<double> of_known;
   true_ranges(known, T_map_robot * lidar.T_robot_laser, lidar, of_known);
@@ -42,6 +54,7 @@ Matrix<3, 3> least_covariance(const World& known, const World& world, const Pose
     if (!(range < lidar.range_max) || range < of_known[i] - 1e-9 || !(slope.norm() < steepest)) continue;
     const double angle = lidar.angle_min + static_cast<double>(i) * lidar.angle_increment;
     const Point2 point = lidar.T_robot_laser * Point2(range * std::cos(angle), range * std::sin(angle));
+    if (off_corners > 0.0 && is_at_corner(known, T_map_robot * point, off_corners)) continue;
     const Vector<2> normal = -slope.normalized();
     const double cosine = 1.0 / slope.norm();
     const Eigen::Vector3d h(normal.x(), normal.y(), cross(point, normal));
@@ -52,28 +65,39 @@ Matrix<3, 3> least_covariance(const World& known, const World& world, const Pose
 
 double CovarianceTrial::nees() const noexcept { return error.dot(Eigen::Matrix3d(told.covariance).inverse() * error); }
 
-CovarianceTrials::CovarianceTrials(std::string_view world_name, std::uint64_t seed)
-    : world_(trial_world(world_name)), lidar_(hokuyo_utm30lx()), random_(seed) {
-  map_ = PointMap2::create(sample_map(world_, random_));
+std::string CovarianceTrialOptions::problem() const {
+  if (!(map_noise >= 0.0)) return "map_noise must be at least 0 m";
+  if (!(off_corners >= 0.0)) return "off_corners must be at least 0 m";
+  return {};
+}
+
+CovarianceTrials::CovarianceTrials(std::string_view world_name, std::uint64_t seed,
+                                   const CovarianceTrialOptions& options)
+    : options_(options), world_(trial_world(world_name)), lidar_(hokuyo_utm30lx()), random_(seed) {
+  if (const std::string problem = options.problem(); !problem.empty()) throw Error(problem, "CovarianceTrialOptions");
+  map_ = PointMap2::create(sample_map(world_, default_map_spacing, options.map_noise, random_));
   icp_.set_rays({lidar_.T_robot_laser.translation(), lidar_.angle_increment});
 }
 
 CovarianceTrial CovarianceTrials::draw(double unmapped) {
   const Pose2 truth = place_beside_route(world_, random_);
   const World now = unmapped > 0.0 ? with_unmapped_things(world_, truth, lidar_, unmapped, random_) : world_;
-  const ScanPoints points = to_points(scan(now, truth, lidar_, random_));
+  ScanPoints points = to_points(scan(now, truth, lidar_, random_));
+  if (options_.off_corners > 0.0)
+    std::erase_if(points.in_robot,
+                  [&](const Point2& point) { return is_at_corner(world_, truth * point, options_.off_corners); });
   // One statement each: the order of the draws is part of what a seed means.
   const double ahead = 0.02 * random_.normal();
   const double left = 0.02 * random_.normal();
   const double turn = 0.01 * random_.normal();
   const IcpResult2& match =
       icp_.align(map_->indexed(), points.in_robot, truth * Pose2{ahead, left, turn}, {.covariance = true});
-  const double smoothed = default_map_noise / std::sqrt(map_->indexed().line_noise().points);
+  const double smoothed = options_.map_noise / std::sqrt(map_->indexed().line_noise().points);
   CovarianceTrial trial;
   trial.error = (truth.inverse() * match.pose).log();
   trial.told = match.uncertainty;
-  trial.least = least_covariance(world_, now, truth, lidar_, lidar_.range_noise, smoothed);
-  trial.plain = least_covariance(world_, now, truth, lidar_, lidar_.range_noise, 0.0);
+  trial.least = least_covariance(world_, now, truth, lidar_, lidar_.range_noise, smoothed, options_.off_corners);
+  trial.plain = least_covariance(world_, now, truth, lidar_, lidar_.range_noise, 0.0, options_.off_corners);
   trial.usable = match.usable();
   return trial;
 }
@@ -82,6 +106,10 @@ void CovarianceScore::add(const CovarianceTrial& trial) noexcept {
   constexpr double off = 0.1;  // [m]: another place, or none
   if (!trial.usable || trial.error.head<2>().norm() > off) {
     ++failed_;
+    return;
+  }
+  if (trial.told.blind) {
+    ++blind_;
     return;
   }
   ++count_;
