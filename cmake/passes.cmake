@@ -35,7 +35,8 @@ function(slamicp_add_passes target)
     set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES
       COMPILE_OPTIONS "${flags_${set}};-ffp-contract=off"
       COMPILE_DEFINITIONS "${highway_${set}};HWY_DISABLE_PCLMUL_AES"
-      INCLUDE_DIRECTORIES "")
+      INCLUDE_DIRECTORIES ""
+      SKIP_PRECOMPILE_HEADERS ON)
   endforeach()
   target_include_directories(${target} SYSTEM PRIVATE ${SLAMICP_HIGHWAY_INCLUDE})
 endfunction()

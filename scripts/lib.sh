@@ -73,6 +73,18 @@ missing_of() {
   done <<<"$1"
 }
 
+# fetch_ahead "NAME  REASON..."...: where time is short, what later steps install is downloaded while this one goes on.
+fetching=""
+fetch_ahead() {
+  [[ ${CI:-} == true && $(id -u) == 0 ]] && command -v apt-get >/dev/null || return 0
+  local missing
+  missing=$(for needs in "$@"; do missing_of "$needs"; done)
+  [[ -n $missing ]] || return 0
+  # shellcheck disable=SC2086  # one word a package
+  apt-get -qq install -y --no-install-recommends --download-only $missing </dev/null >/dev/null 2>&1 &
+  fetching=$!
+}
+
 # need "NAME  REASON...": installs the packages named, where they are not there yet. Returns 1 where it cannot.
 need() {
   local missing package root=()
@@ -82,6 +94,10 @@ need() {
   fi
   missing=$(missing_of "$1")
   [[ -z $missing ]] && return 0
+  if [[ -n $fetching ]]; then
+    wait "$fetching" || true  # what it could not fetch is fetched now
+    fetching=""
+  fi
 
   for package in $missing; do
     say "installing $(grep -E "^${package//+/\\+} " <<<"$1")"
@@ -94,6 +110,7 @@ need() {
     root=(sudo)
   fi
   local apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300)
+  if [[ ${CI:-} == true ]]; then apt+=(-o Dpkg::Options::=--force-unsafe-io); fi  # a machine that is thrown away
   "${apt[@]}" update </dev/null || true
   # shellcheck disable=SC2086  # one word a package
   "${apt[@]}" install -y --no-install-recommends $missing </dev/null >/dev/null
