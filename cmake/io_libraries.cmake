@@ -11,6 +11,9 @@ set(SLAMICP_IO_LIBRARIES "")
 set(SLAMICP_IO_TARGETS "")
 set(SLAMICP_IO_DEFINITIONS "")
 find_package(PkgConfig)
+if(MINGW)
+  set(CMAKE_FIND_LIBRARY_SUFFIXES .a)  # beside our programs there are to be no other DLLs
+endif()
 option(SLAMICP_REQUIRE_LIBRARIES "Fail where a library that a SLAMICP_WITH_NAME asks for is not found" OFF)
 
 # slamicp_io_missing(WHAT WITHOUT): what happens where it is missing.

@@ -1,6 +1,7 @@
 # bench/measure/NAME.cpp becomes the program measure_NAME, run by `scripts/measure NAME`. Built on demand; the
 # target slamicp_measurements builds them all.
 find_package(nlohmann_json REQUIRED)  # their results, for machines
+slamicp_headers_only(nlohmann_json::nlohmann_json nlohmann)
 file(GLOB measurement_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/measure/*.cpp)
 add_custom_target(slamicp_measurements)
 foreach(source IN LISTS measurement_sources)

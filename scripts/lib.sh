@@ -65,6 +65,32 @@ clang-format         layout of the sources
 git                  which files have changed
 "
 
+needs_for_windows="
+g++-mingw-w64-x86-64-posix  compiles for Windows
+libz-mingw-w64-dev   reads logs packed with gzip there
+wine64               runs what was compiled
+googletest           GoogleTest's sources
+"
+needs_for_arm64="
+g++-aarch64-linux-gnu  compiles for 64-bit ARM
+qemu-user            runs what was compiled
+googletest           GoogleTest's sources
+"
+needs_for_armhf="
+clang                compiles for 32-bit ARM ...
+libstdc++-12-dev-armhf-cross  ... with its headers
+"
+needs_for_packages="
+dpkg-dev             which libraries a package needs
+file                 which files are programs
+fakeroot             packages belong to root
+help2man             manual pages
+lintian              what is wrong with a package
+debootstrap          a clean root to try them in
+zip                  packs what is for Windows
+git                  which files are the sources
+"
+
 missing_of() {
   local package _reason
   while read -r package _reason; do

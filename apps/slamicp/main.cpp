@@ -10,6 +10,7 @@
 #include <slamicp/io/output_file.hpp>
 #include <slamicp/version.hpp>
 
+#include "arguments.hpp"
 #include "verbs.hpp"
 
 namespace {
@@ -72,7 +73,8 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, leave_nothing_half_written);
   std::signal(SIGTERM, leave_nothing_half_written);
   try {
-    return run(argc, argv);
+    slamicp::command::Arguments arguments(argc, argv);
+    return run(arguments.count(), arguments.words());
   } catch (const slamicp::Error& error) {
     std::cerr << "slamicp: " << error.what() << '\n';
   } catch (const std::bad_alloc&) {

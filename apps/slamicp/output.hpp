@@ -10,6 +10,13 @@
 #include <slamicp/evaluation/error_statistics.hpp>
 #include <slamicp/geometry/pose.hpp>
 
+// MinGW's printf is the standard's (%zu), where libstdc++ is; its attribute is to know.
+#ifdef __MINGW_PRINTF_FORMAT
+#define SLAMICP_PRINTF __MINGW_PRINTF_FORMAT
+#else
+#define SLAMICP_PRINTF printf
+#endif
+
 namespace slamicp::command {
 
 using Json = nlohmann::ordered_json;
@@ -69,6 +76,6 @@ double median(std::vector<double> values);
 std::string escaped(const std::string& text);
 
 /// printf into a string.
-[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
+[[gnu::format(SLAMICP_PRINTF, 1, 2)]] std::string format(const char* pattern, ...);
 
 }  // namespace slamicp::command

@@ -3,9 +3,12 @@
 
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <vector>
+#ifdef SLAMICP_WITH_YAML
 #include <yaml-cpp/yaml.h>
+#endif
 
 #include <slamicp/error.hpp>
 
@@ -131,13 +134,17 @@ void add_config(CLI::App& verb) {
       ->check(CLI::ExistingFile);
 }
 
+#ifdef SLAMICP_WITH_YAML
+
 void read_config(CLI::App& verb) {
   const CLI::Option* config = verb.get_option("--config");
   if (config->count() == 0) return;
   const std::string path = config->as<std::string>();
   YAML::Node root;
   try {
-    root = YAML::LoadFile(path);
+    std::ifstream file{std::filesystem::path(path)};
+    if (!file) throw Error("cannot be read", path, "check the file's name and who may read it");
+    root = YAML::Load(file);
   } catch (const YAML::Exception& problem) {
     throw Error(problem.msg, path + ":" + std::to_string(problem.mark.line + 1), "write 'name: value' lines");
   }
@@ -162,5 +169,16 @@ void read_config(CLI::App& verb) {
     }
   }
 }
+
+#else
+
+void read_config(CLI::App& verb) {
+  const CLI::Option* config = verb.get_option("--config");
+  if (config->count() > 0)
+    throw Error("this build reads no YAML", config->as<std::string>(),
+                "give the options on the command line, or build with yaml-cpp (Debian: libyaml-cpp-dev)");
+}
+
+#endif
 
 }  // namespace slamicp::command

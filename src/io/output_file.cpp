@@ -28,12 +28,14 @@ constexpr std::size_t buffer_size = std::size_t{1} << 18;
 
 // Names of unfinished files. Whoever exchanges a name for nullptr owns it: so the signal handler never reads a string
 // that a destructor frees at the same time.
-std::array<std::atomic<const char*>, 64> unfinished{};
-static_assert(std::atomic<const char*>::is_always_lock_free);
+using Character = fs::path::value_type;
+using Name = fs::path::string_type;
+std::array<std::atomic<const Character*>, 64> unfinished{};
+static_assert(std::atomic<const Character*>::is_always_lock_free);
 
-int enter(const char* name) noexcept {
+int enter(const Character* name) noexcept {
   for (std::size_t slot = 0; slot < unfinished.size(); ++slot) {
-    const char* expected = nullptr;
+    const Character* expected = nullptr;
     if (unfinished[slot].compare_exchange_strong(expected, name)) return static_cast<int>(slot);
   }
   return -1;
@@ -45,16 +47,16 @@ bool leave(int slot) noexcept {
 }
 
 /// Keeps a name that the signal handler holds: it may still be reading it.
-void keep_for_handler(std::unique_ptr<std::string> name) noexcept {
+void keep_for_handler(std::unique_ptr<Name> name) noexcept {
   static std::mutex mutex;
-  static auto& kept = *new std::vector<std::unique_ptr<std::string>>;  // never destroyed
+  static auto& kept = *new std::vector<std::unique_ptr<Name>>;  // never destroyed
   const std::lock_guard lock(mutex);
   kept.push_back(std::move(name));
 }
 
-void remove_by_name(const char* name) noexcept {
+void remove_by_name(const Character* name) noexcept {
 #ifdef _WIN32
-  _unlink(name);
+  _wunlink(name);
 #else
   ::unlink(name);
 #endif
@@ -138,7 +140,7 @@ void OutputFile::open() {
     fail("cannot be written", errno);
   }
   if (!temporary_.empty()) {
-    registered_ = std::make_unique<std::string>(temporary_.string());
+    registered_ = std::make_unique<Name>(temporary_.native());
     slot_ = enter(registered_->c_str());
   }
 }
@@ -202,8 +204,8 @@ void write_file(const fs::path& path, std::string_view content) {
 }
 
 void remove_unfinished_outputs() noexcept {
-  for (std::atomic<const char*>& slot : unfinished)
-    if (const char* const name = slot.exchange(nullptr)) remove_by_name(name);
+  for (std::atomic<const Character*>& slot : unfinished)
+    if (const Character* const name = slot.exchange(nullptr)) remove_by_name(name);
 }
 
 }  // namespace slamicp

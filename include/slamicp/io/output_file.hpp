@@ -41,7 +41,8 @@ class OutputFile {
   std::filesystem::path temporary_;  ///< empty where the target is written directly
   std::FILE* file_ = nullptr;
   std::string buffer_;
-  std::unique_ptr<std::string> registered_;  ///< name of the temporary file as `remove_unfinished_outputs` sees it
+  /// Name of the temporary file as `remove_unfinished_outputs` sees it.
+  std::unique_ptr<std::filesystem::path::string_type> registered_;
   int slot_ = -1;
   bool to_stdout_ = false;
 };
