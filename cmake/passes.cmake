@@ -16,7 +16,10 @@ function(slamicp_add_passes target)
     return()
   endif()
   set(sets portable)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+  set(in_our_order -ffp-contract=off)
+  if(MSVC)
+    set(in_our_order "")  # /fp:precise keeps it; which of the sets below a machine has, we ask GCC's way
+  elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
     list(APPEND sets sse4 avx2 avx512)
   elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
     list(APPEND sets neon)
@@ -36,7 +39,7 @@ function(slamicp_add_passes target)
     # Old machines must not meet AVX in functions that the linker picked from here: see passes-inl.hpp. The passes are
     # sums over floats, whose order is ours: contraction into FMA is too.
     set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES
-      COMPILE_OPTIONS "${flags_${set}};-ffp-contract=off"
+      COMPILE_OPTIONS "${flags_${set}};${in_our_order}"
       COMPILE_DEFINITIONS "${highway_${set}};HWY_DISABLE_PCLMUL_AES"
       INCLUDE_DIRECTORIES ""
       SKIP_PRECOMPILE_HEADERS ON)

@@ -1,5 +1,5 @@
 # Tests of a build for another machine, run by what CMAKE_CROSSCOMPILING_EMULATOR names: Wine, QEMU. The label says
-# which: windows or arm64. SLAMICP_CROSS_TESTS chooses programs, where running all of them takes too long.
+# which: windows or arm64.
 enable_language(C)
 set(gtest_force_shared_crt ON CACHE INTERNAL "")
 set(BUILD_GMOCK OFF CACHE INTERNAL "")
@@ -12,6 +12,9 @@ if(WIN32)
   set(SLAMICP_CROSS_LABEL windows)
 endif()
 add_custom_target(slamicp_cross_tests)
+# The library is compiled as users get it, the tests as is quickest.
+target_compile_options(gtest PRIVATE -O0)
+set(SLAMICP_TEST_OPTIONS -O1)
 
 # slamicp_cross_test(PROGRAM LABEL [ARGUMENT...])
 function(slamicp_cross_test program label)

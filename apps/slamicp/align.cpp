@@ -85,9 +85,9 @@ void align_clouds(const AlignWords& words, PointCloud<D> source, PointCloud<D> t
   const IcpResult<D> result = align<D>(source, target, guess, words.icp);
   const double milliseconds = watch.microseconds() * 1e-3;
   const auto rows = matrix_rows<D>(result.pose);
-  if (!words.transform.empty()) write_file(words.transform, to_text(rows));
-  if (!words.outliers.empty()) write_file(words.outliers, outliers_csv<D>(result));
-  if (!words.merged.empty()) save_cloud(words.merged, result.updated_map);
+  if (!words.transform.empty()) write_file(file_named(words.transform), to_text(rows));
+  if (!words.outliers.empty()) write_file(file_named(words.outliers), outliers_csv<D>(result));
+  if (!words.merged.empty()) save_cloud(file_named(words.merged), result.updated_map);
   write_json(words.json, {{"verb", "align"},
                           {"source", words.source},
                           {"target", words.target},
@@ -109,8 +109,8 @@ void align_clouds(const AlignWords& words, PointCloud<D> source, PointCloud<D> t
 }
 
 void run(const AlignWords& words) {
-  const Cloud source = load_cloud(words.source);
-  const Cloud target = load_cloud(words.target);
+  const Cloud source = load_cloud(file_named(words.source));
+  const Cloud target = load_cloud(file_named(words.target));
   warn(source.warnings);
   warn(target.warnings);
   if (source.dimension() != target.dimension())

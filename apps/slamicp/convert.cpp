@@ -27,22 +27,22 @@ struct ConvertWords {
 bool is_log_ending(const std::string& ending) { return ending == ".clf" || ending == ".log"; }
 
 void convert_log(const ConvertWords& words) {
-  const ScanLog log = open_scan_log(words.in, words.reading);
+  const ScanLog log = open_scan_log(file_named(words.in), words.reading);
   warn(log.warnings);
-  save_scan_log(words.out, log.scans);
+  save_scan_log(file_named(words.out), log.scans);
   write_json(words.json,
              {{"verb", "convert"}, {"in", words.in}, {"out", words.out}, {"kind", "log"}, {"scans", log.size()}});
   Talk{words.json}(format("%zu scans -> %s", log.size(), words.out.c_str()));
 }
 
 void convert_cloud(const ConvertWords& words) {
-  const Cloud cloud = load_cloud(words.in);
+  const Cloud cloud = load_cloud(file_named(words.in));
   warn(cloud.warnings);
   const auto encoding = words.ascii ? CloudEncoding::ascii : CloudEncoding::binary;
   if (const auto* plane = std::get_if<PointCloud2>(&cloud.points); plane != nullptr && is_map_server(words.out))
-    save_occupancy_map(words.out, to_occupancy_grid(*plane, {.resolution = words.resolution}));
+    save_occupancy_map(file_named(words.out), to_occupancy_grid(*plane, {.resolution = words.resolution}));
   else
-    std::visit([&](const auto& points) { save_cloud(words.out, points, encoding); }, cloud.points);
+    std::visit([&](const auto& points) { save_cloud(file_named(words.out), points, encoding); }, cloud.points);
   write_json(words.json, {{"verb", "convert"},
                           {"in", words.in},
                           {"out", words.out},
@@ -54,9 +54,9 @@ void convert_cloud(const ConvertWords& words) {
 
 /// Cell by cell: what is free stays free.
 void convert_map(const ConvertWords& words) {
-  const OccupancyMap map = load_occupancy_map(words.in);
+  const OccupancyMap map = load_occupancy_map(file_named(words.in));
   warn(map.warnings);
-  save_occupancy_map(words.out, map.grid);
+  save_occupancy_map(file_named(words.out), map.grid);
   write_json(words.json, {{"verb", "convert"},
                           {"in", words.in},
                           {"out", words.out},
@@ -67,8 +67,8 @@ void convert_map(const ConvertWords& words) {
 }
 
 void run(const ConvertWords& words) {
-  const std::string out = std::filesystem::path(words.out).extension().string();
-  const FileKind kind = kind_of(words.in);
+  const std::string out = file_named(words.out).extension().string();
+  const FileKind kind = kind_of(file_named(words.in));
   const bool in_is_log = kind == FileKind::scan_log;
   const bool out_can_be_log = is_log_ending(out) || out == ".csv";
   if (in_is_log && out_can_be_log) return convert_log(words);

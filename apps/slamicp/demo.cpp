@@ -84,14 +84,14 @@ void save_pictures(const std::filesystem::path& folder, const RunRecord& record,
   run.segments(outline, colours::obstacle, 1.2, "the obstacle as it stands");
   for (const Obstacle& obstacle : found)
     run.label(obstacle.box.centre + Point2(-1.2, -1.8), "found: " + obstacle.brief());
-  for (const char* ending : {".svg", ".png"}) {
+  for (const char* ending : picture_endings()) {
     map.save(folder / (std::string("map") + ending));
     run.save(folder / (std::string("run") + ending));
   }
 }
 
 void run(const DemoWords& words) {
-  const std::filesystem::path folder(words.out);
+  const std::filesystem::path folder = file_named(words.out);
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) throw Error("the folder cannot be made: " + problem.message(), words.out, "give another one with --out");

@@ -43,8 +43,8 @@ void against_truth(const EvaluateWords& words) {
       {"none", Alignment::none}, {"first", Alignment::first}, {"se2", Alignment::se2}};
   TrajectoryErrorOptions options;
   options.alignment = alignments.at(words.align);
-  const Trajectory estimate = load_trajectory(words.trajectory);
-  const Trajectory truth = load_trajectory(words.truth);
+  const Trajectory estimate = load_trajectory(file_named(words.trajectory));
+  const Trajectory truth = load_trajectory(file_named(words.truth));
   const TrajectoryError absolute = absolute_error(estimate, truth, options);
   const std::optional<TrajectoryError> relative = over_stretches(words, estimate, truth);
   Json summary{{"verb", "evaluate"},
@@ -72,7 +72,8 @@ void against_truth(const EvaluateWords& words) {
 }
 
 void against_relations(const EvaluateWords& words) {
-  const RelationError error = relation_error(load_trajectory(words.trajectory), load_relations(words.relations));
+  const RelationError error =
+      relation_error(load_trajectory(file_named(words.trajectory)), load_relations(file_named(words.relations)));
   write_json(words.json, {{"verb", "evaluate"},
                           {"trajectory", words.trajectory},
                           {"relations", words.relations},

@@ -146,7 +146,7 @@ void tell_scans(const ScanLog& log, const Talk& talk, Json& summary) {
 void tell_log(const InfoWords& words) {
   ScanLogOptions reading = words.reading;
   if (reading.scan_topics.empty()) reading.scan_topics = {every_topic};
-  const ScanLog log = open_scan_log(words.file, reading);
+  const ScanLog log = open_scan_log(file_named(words.file), reading);
   const Talk talk(words.json);
   talk(format("%s: a %s log of %zu scans", words.file.c_str(), log.format.c_str(), log.size()));
   for (const auto& [kind, count] : log.messages) talk(format("  %-22s %zu", kind.c_str(), count));
@@ -198,7 +198,7 @@ Bounds<2> bounds_of(const OccupancyGrid& grid) {
 }
 
 void tell_map(const InfoWords& words) {
-  const OccupancyMap map = load_occupancy_map(words.file);
+  const OccupancyMap map = load_occupancy_map(file_named(words.file));
   const OccupancyGrid& grid = map.grid;
   const CellCounts counts = count_cells(grid);
   const Bounds<2> bounds = bounds_of(grid);
@@ -240,11 +240,11 @@ void tell_map(const InfoWords& words) {
 }
 
 void run(const InfoWords& words) {
-  const FileKind kind = kind_of(words.file);
+  const FileKind kind = kind_of(file_named(words.file));
   if (kind == FileKind::scan_log) return tell_log(words);
   if (kind == FileKind::occupancy_map) return tell_map(words);
   if (kind == FileKind::world) return tell_world(words.file, words.json);
-  const Cloud cloud = load_cloud(words.file);
+  const Cloud cloud = load_cloud(file_named(words.file));
   if (const auto* plane = std::get_if<PointCloud2>(&cloud.points))
     tell_points<2>(*plane, cloud, words);
   else

@@ -62,7 +62,7 @@ Bounds<2> bounds_of(const World& world) {
 }  // namespace
 
 void tell_world(const std::string& file, const std::string& json) {
-  const World world = load_world(file);
+  const World world = load_world(file_named(file));
   const Talk talk(json);
   double length = 0.0;
   for (const Segment& wall : world.walls) length += (wall.b - wall.a).norm();

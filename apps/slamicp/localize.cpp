@@ -85,7 +85,7 @@ class Tables {
  private:
   template <typename Row>
   static std::unique_ptr<CsvTable<Row>> open(const std::string& file) {
-    return file.empty() ? nullptr : std::make_unique<CsvTable<Row>>(file);
+    return file.empty() ? nullptr : std::make_unique<CsvTable<Row>>(file_named(file));
   }
 
   void add_outliers(std::size_t scan_number, const Fix& fix, const LaserScan& scan) {
@@ -187,12 +187,12 @@ void run(const LocalizeWords& words) {
   if (!words.proposals.empty() && !words.update_map.empty())
     throw Error("--proposals and --update-map do not go together", "slamicp localize",
                 "propose first; a map that grows has nothing left to propose");
-  const ScanLog log = open_scan_log(words.log, words.reading);
+  const ScanLog log = open_scan_log(file_named(words.log), words.reading);
   warn(log.warnings);
   if (log.empty()) throw Error("the log holds no scan", words.log, "see 'slamicp info'");
   SurfaceOptions surfaces;
   surfaces.threads = words.match.threads;
-  Localizer localizer(load_map(words.map, surfaces), localizer_options(words));
+  Localizer localizer(load_map(file_named(words.map), surfaces), localizer_options(words));
   if (!words.initial_pose) warn("no --initial-pose: starting at the map's origin, 0,0,0, where 'slamicp map' starts");
 
   Tables tables(words);
@@ -226,8 +226,8 @@ void run(const LocalizeWords& words) {
   record.map = localizer.map();
 
   tables.commit();
-  if (!words.trajectory.empty()) save_trajectory(words.trajectory, record.trajectory);
-  if (!words.update_map.empty()) save_map(words.update_map, *localizer.map());
+  if (!words.trajectory.empty()) save_trajectory(file_named(words.trajectory), record.trajectory);
+  if (!words.update_map.empty()) save_map(file_named(words.update_map), *localizer.map());
   const std::vector<ProposedChange> proposals = changes.proposals();
   if (!words.proposals.empty()) write_proposals(words.proposals, record, proposals);
   if (!words.report.empty()) write_report(words.report, record);

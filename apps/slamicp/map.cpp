@@ -46,20 +46,20 @@ void draw(const MapWords& words, const Mapper& mapper, const PointMap2& map) {
   picture.points(map.points(), colours::map, 1.0, std::to_string(map.size()) + " map points");
   picture.path(mapper.trajectory(), colours::path, 1.2, "path");
   picture.robot(mapper.trajectory().back().pose, 0.25, colours::robot, "robot at the end");
-  picture.save(words.picture);
+  picture.save(file_named(words.picture));
 }
 
 /// The map as it is asked for: points, or cells that the scans found occupied and free.
 void save(const MapWords& words, const PointMap2& map, const GridBuilder& builder, Json& summary) {
-  if (!is_map_server(words.out)) return save_map(words.out, map);
+  if (!is_map_server(words.out)) return save_map(file_named(words.out), map);
   const OccupancyGrid grid = builder.grid();
   const CellCounts counts = count_cells(grid);
-  save_occupancy_map(words.out, grid);
+  save_occupancy_map(file_named(words.out), grid);
   summary["cells"] = {{"occupied", counts.occupied}, {"free", counts.free}, {"unknown", counts.unknown}};
 }
 
 void run(const MapWords& words) {
-  const ScanLog log = open_scan_log(words.log, words.reading);
+  const ScanLog log = open_scan_log(file_named(words.log), words.reading);
   warn(log.warnings);
   Mapper mapper(mapper_options(words));
   GridBuilder builder({.grid = {.resolution = words.resolution}});
@@ -88,7 +88,7 @@ void run(const MapWords& words) {
                {"seconds", seconds},
                {"last_pose", to_json(mapper.trajectory().back().pose)}};
   save(words, *map, builder, summary);
-  if (!words.trajectory.empty()) save_trajectory(words.trajectory, mapper.trajectory());
+  if (!words.trajectory.empty()) save_trajectory(file_named(words.trajectory), mapper.trajectory());
   if (!words.picture.empty()) draw(words, mapper, *map);
   write_json(words.json, summary);
   const Talk talk(words.json);

@@ -44,11 +44,11 @@ void draw(const OdometryWords& words, const Trajectory& trajectory, const PointC
   picture.points(seen, colours::map, 0.6, "what was seen");
   picture.path(trajectory, colours::path, 1.2, "path");
   picture.robot(trajectory.back().pose, 0.25, colours::robot, "robot at the end");
-  picture.save(words.picture);
+  picture.save(file_named(words.picture));
 }
 
 void run(const OdometryWords& words) {
-  const ScanLog log = open_scan_log(words.log, words.reading);
+  const ScanLog log = open_scan_log(file_named(words.log), words.reading);
   warn(log.warnings);
   if (log.empty()) throw Error("the log holds no scan", words.log, "see 'slamicp info'");
   ScanOdometry odometry(odometry_options(words));
@@ -65,7 +65,7 @@ void run(const OdometryWords& words) {
   const double seconds = watch.microseconds() * 1e-6;
   const Trajectory& trajectory = odometry.trajectory();
   const PoseDistance back = distance(trajectory.front().pose, trajectory.back().pose);
-  if (!words.trajectory.empty()) save_trajectory(words.trajectory, trajectory);
+  if (!words.trajectory.empty()) save_trajectory(file_named(words.trajectory), trajectory);
   if (!words.picture.empty()) draw(words, trajectory, seen);
   write_json(words.json, {{"verb", "odometry"},
                           {"log", words.log},

@@ -31,7 +31,7 @@ void add_json(CLI::App& verb, std::string& file) {
 }
 
 void write_json(const std::string& file, const Json& summary) {
-  if (!file.empty()) write_file(file, summary.dump(2) + "\n");
+  if (!file.empty()) write_file(file_named(file), summary.dump(2) + "\n");
 }
 
 Json to_json(const Pose2& pose) { return {{"x", pose.x}, {"y", pose.y}, {"theta", pose.theta}}; }
@@ -63,6 +63,16 @@ void Progress::step() {
   const std::string bar(static_cast<std::size_t>(percent * 30 / 100), '#');
   std::fprintf(stderr, "\r%s [%-30s] %3d %%", what_.c_str(), bar.c_str(), percent);
   std::fflush(stderr);
+}
+
+std::filesystem::path file_named(const std::string& name) { return std::u8string(name.begin(), name.end()); }
+
+std::vector<const char*> picture_endings() {
+#ifdef SLAMICP_WITH_PNG
+  return {".svg", ".png"};
+#else
+  return {".svg"};
+#endif
 }
 
 double median(std::vector<double> values) {

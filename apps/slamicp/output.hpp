@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -68,6 +69,12 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+/// The file that UTF-8 words name. Windows' own way from std::string to a path knows other letters.
+std::filesystem::path file_named(const std::string& name);
+
+/// What pictures are saved as, each as all of these: ".svg", and ".png" where this build has it.
+std::vector<const char*> picture_endings();
 
 /// The middle value; 0 of none.
 double median(std::vector<double> values);

@@ -61,8 +61,8 @@ Picture draw_proposals(const RunRecord& record, std::span<const ProposedChange> 
 void write_proposals(const std::string& file, const RunRecord& record, std::span<const ProposedChange> proposals) {
   Json list = Json::array();
   for (const ProposedChange& change : proposals) list.push_back(proposal_json(change));
-  write_file(file, Json{{"log", record.log}, {"map", record.map_file}, {"proposals", list}}.dump(1) + "\n");
-  draw_proposals(record, proposals).save(std::filesystem::path(file).replace_extension(".svg"));
+  write_file(file_named(file), Json{{"log", record.log}, {"map", record.map_file}, {"proposals", list}}.dump(1) + "\n");
+  draw_proposals(record, proposals).save(file_named(file).replace_extension(".svg"));
 }
 
 }  // namespace slamicp::command

@@ -173,7 +173,7 @@ void write_report(const std::string& file, const RunRecord& record) {
   page += chart(record, &ScanRecord::iterations, "iterations", 1.0, "#3a6ea5");
   page += chart(record, &ScanRecord::time_us, "time [us]", 1.0, "#464e5a");
   page += std::string("<p>Written by slamicp ") + version + ".</p></body></html>\n";
-  write_file(file, page);
+  write_file(file_named(file), page);
 }
 
 }  // namespace slamicp::command

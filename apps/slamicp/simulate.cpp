@@ -33,7 +33,7 @@ struct SimulateWords {
 };
 
 World world_of(const SimulateWords& words) {
-  if (is_map_server(words.world)) return load_world(words.world);
+  if (is_map_server(words.world)) return load_world(file_named(words.world));
   if (words.world != "corridor")
     throw Error("there is no world '" + words.world + "'", "--world",
                 "the worlds are: corridor, and those of files: FILE.yaml");
@@ -76,14 +76,14 @@ void run(const SimulateWords& words) {
   const DriveOptions options = drive_of(words);
   const SimulatedRun drive = words.robot == "omni" ? simulate_drive(world, way.waypoints, apr02(), options)
                                                    : simulate_drive(world, way.waypoints, options);
-  save_scan_log(words.out, drive.scans);
-  if (!words.truth.empty()) save_trajectory(words.truth, drive.truth);
+  save_scan_log(file_named(words.out), drive.scans);
+  if (!words.truth.empty()) save_trajectory(file_named(words.truth), drive.truth);
   std::size_t map_points = 0;
   if (!words.map_out.empty()) {
     Random random(words.drive.seed);
     const PointCloud2 map = sample_map(world, random);  // what the map was before obstacles and people came
     map_points = map.size();
-    save_cloud(words.map_out, map);
+    save_cloud(file_named(words.map_out), map);
   }
   if (!words.picture.empty()) save_simulated_picture(words.picture, world, drive);
   const Pose2& start = drive.truth.front().pose;

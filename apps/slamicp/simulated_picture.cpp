@@ -65,7 +65,7 @@ void save_simulated_picture(const std::string& file, const World& world, const S
   draw_obstacles(picture, world.obstacles);
   draw_people(picture, world.people, half_way.stamp);
   picture.robot(half_way.pose, 0.2);
-  picture.save(file);
+  picture.save(file_named(file));
 }
 
 }  // namespace slamicp::command

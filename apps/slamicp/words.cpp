@@ -12,6 +12,8 @@
 
 #include <slamicp/error.hpp>
 
+#include "output.hpp"
+
 namespace slamicp::command {
 namespace {
 
@@ -131,7 +133,9 @@ void add_match_options(CLI::App& verb, MatchOptions& options, double distance) {
 void add_config(CLI::App& verb) {
   verb.add_option("--config", "options from a file of 'name: value' lines; the command line goes before")
       ->type_name("FILE.yaml")
-      ->check(CLI::ExistingFile);
+      ->check([](const std::string& file) {
+        return std::filesystem::is_regular_file(file_named(file)) ? std::string() : "there is no file " + file;
+      });
 }
 
 #ifdef SLAMICP_WITH_YAML
@@ -142,7 +146,7 @@ void read_config(CLI::App& verb) {
   const std::string path = config->as<std::string>();
   YAML::Node root;
   try {
-    std::ifstream file{std::filesystem::path(path)};
+    std::ifstream file(file_named(path));
     if (!file) throw Error("cannot be read", path, "check the file's name and who may read it");
     root = YAML::Load(file);
   } catch (const YAML::Exception& problem) {

@@ -20,7 +20,8 @@ bool machine_has(InstructionSet set) noexcept {
                                        : set == InstructionSet::avx512 && avx512;
 }
 #else
-bool machine_has(InstructionSet) noexcept { return true; }  // what was built for a kind of machine, all of it have
+// What was built for a kind of machine, all of it have.
+[[maybe_unused]] bool machine_has(InstructionSet) noexcept { return true; }
 #endif
 
 }  // namespace

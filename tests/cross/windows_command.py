@@ -11,6 +11,8 @@ import unittest
 
 HERE = [os.environ["SLAMICP"]]
 WINDOWS = os.environ["SLAMICP_WINDOWS"].split(" ")
+# Wine takes this machine's file names for letters of its locale.
+ENVIRONMENT = {**os.environ, "LC_ALL": "C.UTF-8"}
 
 
 def without_times(told):
@@ -28,7 +30,8 @@ class WindowsCommand(unittest.TestCase):
 
     def run_in(self, folder, program, *words):
         (self.folder / folder).mkdir(exist_ok=True)
-        return subprocess.run([*program, *map(str, words)], cwd=self.folder / folder, capture_output=True, timeout=300)
+        return subprocess.run([*program, *map(str, words)], cwd=self.folder / folder, capture_output=True, timeout=300,
+                              env=ENVIRONMENT)
 
     def done(self, folder, program, *words):
         result = self.run_in(folder, program, *words)

@@ -54,7 +54,9 @@ void run(const ExperimentWords& words) {
     summary.update(experiment.run(words, site, folder, talk));
     write_json(words.json, summary);
   }
-  talk("written   " + words.out + "/" + words.name + ".{html,csv}, pictures .svg and .png");
+  std::string pictures;
+  for (const char* ending : picture_endings()) pictures += std::string(pictures.empty() ? "" : " and ") + ending;
+  talk("written   " + words.out + "/" + words.name + ".{html,csv}, pictures " + pictures);
 }
 
 }  // namespace

@@ -18,18 +18,18 @@ constexpr const char* page_style =
 
 }  // namespace
 
-Folder::Folder(const std::string& path) : path_(path) {
+Folder::Folder(const std::string& path) : path_(file_named(path)) {
   std::error_code problem;
   std::filesystem::create_directories(path_, problem);
   if (problem) throw Error("the folder cannot be made: " + problem.message(), path, "give another one with --out");
 }
 
 void Folder::save(const std::string& name, const Picture& picture) const {
-  for (const char* ending : {".svg", ".png"}) picture.save(path_ / (name + ending));
+  for (const char* ending : picture_endings()) picture.save(path_ / (name + ending));
 }
 
 void Folder::save(const std::string& name, const Chart& chart) const {
-  for (const char* ending : {".svg", ".png"}) chart.save(path_ / (name + ending));
+  for (const char* ending : picture_endings()) chart.save(path_ / (name + ending));
 }
 
 void Folder::save_text(const std::string& name, const std::string& text) const { write_file(path_ / name, text); }

@@ -413,8 +413,10 @@ struct Pairs {
 
 /// Lane by lane a symmetric matrix of the unknowns.
 struct SquareLanes {
-  V xx = hn::Zero(D()), xy = xx, yy = xx, xt = xx, yt = xx, tt = xx;
+  V xx, xy, yy, xt, yt, tt;
 
+  // Written out, else GCC makes one that is not for this instruction set.
+  HWY_INLINE SquareLanes() : xx(hn::Zero(D())), xy(xx), yy(xx), xt(xx), yt(xx), tt(xx) {}
   HWY_INLINE void add(V weight, const Pairs& pairs) {
     const V x = hn::Mul(weight, pairs.nx);
     const V y = hn::Mul(weight, pairs.ny);
