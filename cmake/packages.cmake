@@ -45,6 +45,7 @@ foreach(verb "" ${verbs})
     COMMAND ${SLAMICP_HELP2MAN} --no-info --no-discard-stderr --section=1 --name=${what}
       --version-string=${PROJECT_VERSION} "--source=slamicp ${PROJECT_VERSION}" --output=${page}
       "$<TARGET_FILE:slamicp_command> ${verb}"
+    COMMAND sed -i "s/^slamicp ${verb} /${name} /" ${page}
     COMMAND gzip -9nf ${page}
     DEPENDS slamicp_command VERBATIM)
   list(APPEND pages ${page}.gz)
@@ -63,7 +64,7 @@ else()
 endif()
 
 set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_CONTACT "slamicp maintainers <maintainers@slamicp.org>")
+set(CPACK_PACKAGE_CONTACT "slamicp maintainers <maintainers@slamicp.example>")
 set(CPACK_PACKAGE_NAME slamicp)
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_SOURCE_DIR}/build/packages-out)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -76,6 +77,8 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src ${PROJECT_BINARY_DIR}/bindings/c)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/debian)
 configure_file(${debian}/changelog ${PROJECT_BINARY_DIR}/debian/changelog.Debian COPYONLY)
@@ -91,45 +94,33 @@ foreach(pair IN LISTS component_packages)
     DESTINATION share/doc/${package} COMPONENT ${component})
 endforeach()
 
+# CPack puts the project's description before, as the synopsis.
+set(what_it_is "slamicp tells a mobile robot where it is in its map, how sure it is, and what
+stands there that the map does not know, all from one ICP match.
+.
+")
+# dpkg's trigger, which lintian misses beside CPack's scripts.
+file(WRITE ${PROJECT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
+foreach(upper LIBRARY LIBRARY_C)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/triggers)
+endforeach()
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "2D and 3D lidar localization by ICP, shared libraries
- slamicp tells a mobile robot where it is in its map, how sure it is, and what
- stands there that the map does not know, all from one ICP match.
- .
- These are the C++ libraries: the core, and the readers and writers of files.")
+set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "${what_it_is}These are the C++ libraries: the core, and the readers and writers of files.")
 set(CPACK_DEBIAN_LIBRARY_C_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBRARY_C_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_LIBRARY_C_PACKAGE_DEPENDS "${library_package} ${exactly}")
-set(CPACK_DEBIAN_LIBRARY_C_DESCRIPTION "2D and 3D lidar localization by ICP, shared library for C
- slamicp tells a mobile robot where it is in its map, how sure it is, and what
- stands there that the map does not know, all from one ICP match.
- .
- This is the library for C, slamicp.h, whose interface stays.")
+set(CPACK_DEBIAN_LIBRARY_C_DESCRIPTION "${what_it_is}This is the library for C, slamicp.h, whose interface stays.")
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
   "${library_package} ${exactly}, ${library_c_package} ${exactly}, libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS "libcairo2-dev, libpng-dev, liblz4-dev, libbz2-dev, zlib1g-dev, liblzma-dev, \
 libzstd-dev, libyaml-cpp-dev, libsqlite3-dev, libfastcdr-dev")
-set(CPACK_DEBIAN_DEV_DESCRIPTION "2D and 3D lidar localization by ICP, for development
- slamicp tells a mobile robot where it is in its map, how sure it is, and what
- stands there that the map does not know, all from one ICP match.
- .
- These are the headers for C++ and C, the static libraries, and what CMake and
- pkg-config need. Whoever links slamicp-io statically needs what is suggested.")
+set(CPACK_DEBIAN_DEV_DESCRIPTION "${what_it_is}These are the headers for C++ and C, the static libraries, and what CMake and
+pkg-config need. Whoever links slamicp-io statically needs what is suggested.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${library_package} ${exactly}")
-set(CPACK_DEBIAN_TOOLS_DESCRIPTION "2D and 3D lidar localization by ICP, command
- slamicp tells a mobile robot where it is in its map, how sure it is, and what
- stands there that the map does not know, all from one ICP match.
- .
- This is the command slamicp: maps, localizes, simulates, converts, evaluates.")
+set(CPACK_DEBIAN_TOOLS_DESCRIPTION "${what_it_is}This is the command slamicp: maps, localizes, simulates, converts, evaluates.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_DESCRIPTION "2D and 3D lidar localization by ICP, for Python
- slamicp tells a mobile robot where it is in its map, how sure it is, and what
- stands there that the map does not know, all from one ICP match.
- .
- This is the module slamicp; it takes and gives NumPy arrays.")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "${what_it_is}This is the module slamicp; it takes and gives NumPy arrays.")
 find_package(Python3 COMPONENTS Interpreter)
 math(EXPR next "${Python3_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
