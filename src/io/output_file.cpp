@@ -10,6 +10,7 @@
 #include <slamicp/error.hpp>
 #include <slamicp/io/output_file.hpp>
 
+#include "io/new_file.hpp"
 #include "io/text.hpp"
 
 #ifdef _WIN32
@@ -59,14 +60,6 @@ void remove_by_name(const Character* name) noexcept {
   _wunlink(name);
 #else
   ::unlink(name);
-#endif
-}
-
-std::FILE* open_new(const fs::path& path) noexcept {
-#ifdef _WIN32
-  return _wfopen(path.c_str(), L"wbx");
-#else
-  return std::fopen(path.c_str(), "wbx");
 #endif
 }
 
@@ -133,7 +126,7 @@ void OutputFile::open() {
     file_ = open_existing(target_);
   } else {
     temporary_ = temporary_beside(target_);
-    file_ = open_new(temporary_);
+    file_ = open_new_file(temporary_);
   }
   if (file_ == nullptr) {
     temporary_.clear();

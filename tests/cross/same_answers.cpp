@@ -97,9 +97,9 @@ void write_drive(const fs::path& folder, const Drive& all) {
   write_numbers(folder / "guesses.f64", guesses);
   write_numbers(folder / "odometry.f64", odometry);
   write_numbers(folder / "ranges.f32", ranges);
-  write_numbers(folder / "angles.f64", std::vector<double>{first.angle_min, first.angle_increment,
-                                                           static_cast<double>(first.range_min),
-                                                           static_cast<double>(first.range_max)});
+  write_numbers(folder / "angles.f64",
+                std::vector<double>{first.angle_min, first.angle_increment, static_cast<double>(first.range_min),
+                                    static_cast<double>(first.range_max)});
 }
 
 Drive read_drive(const fs::path& folder) {
@@ -147,8 +147,8 @@ Answers answers_of(const Drive& all, const IndexedPoints<2>& map, InstructionSet
   Answers answers;
   Icp<2> icp({.outlier_distance = outlier_distance, .instruction_set = set});
   for (std::size_t k = 0; k < all.scans.size(); ++k)
-    add(answers, icp.align(map, to_points(all.scans[k]).in_robot, all.guesses[k],
-                           {.outlier_indices = true, .matches = true}));
+    add(answers,
+        icp.align(map, to_points(all.scans[k]).in_robot, all.guesses[k], {.outlier_indices = true, .matches = true}));
   return answers;
 }
 
@@ -202,9 +202,10 @@ Difference difference_of(const Answers& here, const Answers& there) {
 
 bool report(const std::string& here, const std::string& there, const Difference& difference, double tolerance) {
   const bool good = difference.pose <= tolerance && difference.from_threshold <= outlier_tolerance;
-  std::printf("%-16s and the other's %-10s poses differ by %8.2g at most, outliers by %zu, %.2g m from the threshold%s\n",
-              here.c_str(), there.c_str(), difference.pose, difference.outliers, difference.from_threshold,
-              good ? "" : "   TOO MUCH");
+  std::printf(
+      "%-16s and the other's %-10s poses differ by %8.2g at most, outliers by %zu, %.2g m from the threshold%s\n",
+      here.c_str(), there.c_str(), difference.pose, difference.outliers, difference.from_threshold,
+      good ? "" : "   TOO MUCH");
   return good;
 }
 

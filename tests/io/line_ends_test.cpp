@@ -55,7 +55,7 @@ TEST_F(LineEndsTest, Clouds) {
 TEST_F(LineEndsTest, Logs) {
   const std::string carmen = "# log\nFLASER 3 1.5 2.5 3.5 1 2 0.5 1 2 0.5 10.25 host 0.5\n";
   for (const auto& [name, text] :
-       {std::pair<std::string, std::string>{"a.clf", carmen}, {"a.csv", "1.5,2.5,3.5\n1.5,2.5,3.5\n"}}) {
+       {std::pair<std::string, std::string>{"a.clf", carmen}, {"a.csv", "1.5,2.5,3.5,4.5\n1.5,2.5,3.5,4.5\n"}}) {
     const auto [unix_file, windows_file] = put_both(name, text);
     const ScanLog one = open_scan_log(unix_file), other = open_scan_log(windows_file);
     ASSERT_EQ(one.size(), other.size()) << name;
@@ -80,7 +80,8 @@ TEST_F(LineEndsTest, Trajectories) {
 TEST_F(LineEndsTest, MapsOfMapServer) {
   put_both("m.pgm", "P2\n# made by hand\n2 2\n255\n0 254\n205 0\n");
   const auto [unix_file, windows_file] = put_both(
-      "m.yaml", "image: m.pgm\nresolution: 0.1\norigin: [1, 2, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+      "m.yaml",
+      "image: m.pgm\nresolution: 0.1\norigin: [1, 2, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
   const OccupancyMap one = load_occupancy_map(unix_file), other = load_occupancy_map(windows_file);
   ASSERT_EQ(one.grid.width, 2);
   ASSERT_EQ(other.grid.width, 2);
@@ -89,7 +90,8 @@ TEST_F(LineEndsTest, MapsOfMapServer) {
 }
 
 TEST_F(LineEndsTest, Worlds) {
-  const auto [unix_file, windows_file] = put_both("w.yaml", "# a room\nworld: w\nwalls:\n  - segment: [[0, 0], [4, 0]]\n  - segment: [[4, 0], [4, 3]]\n");
+  const auto [unix_file, windows_file] =
+      put_both("w.yaml", "# a room\nworld: w\nwalls:\n  - segment: [[0, 0], [4, 0]]\n  - segment: [[4, 0], [4, 3]]\n");
   EXPECT_EQ(kind_of(windows_file), FileKind::world);
   const World one = load_world(unix_file), other = load_world(windows_file);
   EXPECT_EQ(other.name, one.name);

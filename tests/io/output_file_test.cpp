@@ -42,9 +42,13 @@ TEST(OutputFile, ASignalLeavesNothing) {
   first.write("half");
   EXPECT_EQ(folder.file_count(), 3U);
   remove_unfinished_outputs();
+#ifndef _WIN32  // there a file stays until it is closed, as it is when the program ends
   EXPECT_EQ(folder.file_count(), 1U);
+#endif
   EXPECT_EQ(get(folder / "old.txt"), "before");
   expect_error([&] { second.commit(); }, (folder / "new.txt").string(), "cannot be given its name");
+  expect_error([&] { first.commit(); }, (folder / "old.txt").string(), "cannot be given its name");
+  EXPECT_EQ(folder.file_count(), 1U);
 }
 
 TEST(OutputFile, MoreOutputsThanTheRegistryHolds) {

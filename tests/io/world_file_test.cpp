@@ -23,6 +23,9 @@ const std::filesystem::path example_folder = std::filesystem::path(SLAMICP_TEST_
 
 class WorldFileTest : public ::testing::Test {
  protected:
+#ifndef SLAMICP_WITH_YAML
+  void SetUp() override { GTEST_SKIP() << "skipped: this build reads no YAML"; }
+#endif
   World load(const std::string& yaml) {
     put(folder_ / "w.yaml", yaml);
     return load_world(folder_ / "w.yaml");
