@@ -24,12 +24,18 @@ function(slamicp_install_library name)
   install(EXPORT slamicp-${name} NAMESPACE slamicp:: FILE slamicp-${name}-targets.cmake DESTINATION ${package_dir}
     COMPONENT dev)
 
-  # A static library hands its private needs on to whoever links it.
-  if(NOT BUILD_SHARED_LIBS)
-    list(APPEND arg_REQUIRES ${arg_REQUIRES_PRIVATE})
-    set(arg_REQUIRES_PRIVATE "")
-  endif()
+  # A static library hands its private needs on to whoever links it. Beside a shared one they are libraries alone, for
+  # pkg-config --static: as modules pkg-config would ask everybody for their headers.
   list(TRANSFORM arg_LIBS_PRIVATE PREPEND -l)
+  if(BUILD_SHARED_LIBS)
+    foreach(module IN LISTS arg_REQUIRES_PRIVATE)
+      list(TRANSFORM ${module}_LIBRARIES PREPEND -l OUTPUT_VARIABLE libraries)
+      list(APPEND arg_LIBS_PRIVATE ${libraries})
+    endforeach()
+  else()
+    list(APPEND arg_REQUIRES ${arg_REQUIRES_PRIVATE})
+  endif()
+  set(arg_REQUIRES_PRIVATE "")
   list(JOIN arg_LIBS_PRIVATE " " pc_libs_private)
   set(pc_libs "")
   if(NOT BUILD_SHARED_LIBS)
