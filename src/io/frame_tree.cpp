@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "io/planar.hpp"
+#include <slamicp/geometry/planar.hpp>
 
 namespace slamicp {
 namespace {

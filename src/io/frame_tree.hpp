@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <slamicp/geometry/pose.hpp>
+#include <slamicp/scan/motion_track.hpp>
 
-#include "io/motion_track.hpp"
 #include "io/ros_messages.hpp"
 
 namespace slamicp {

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/laser_mount.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include <slamicp/geometry/angle.hpp>
 
-#include "io/planar.hpp"
 #include "io/text.hpp"
 
 namespace slamicp {
@@ -30,21 +25,14 @@ LaserMount laser_mount(const FrameTree& frames, const std::string& base, const s
   }
   if (found->moves)
     warnings.push_back("the transform from " + between(laser, base) + " changes: the first is used throughout");
-  const double up = (found->T_base_frame.orientation * Point3::UnitZ()).z();
-  const double tilt_deg = std::acos(std::min(std::abs(up), 1.0)) * deg_per_rad;
+  const LaserMount mount = laser_mount(found->T_base_frame);
+  const double tilt_deg = mount.tilt * deg_per_rad;
   if (tilt_deg > most_tilt_deg) {
     std::string warning = "laser '" + laser + "' is tilted by ";
     text::append_fixed(warning, tilt_deg, 1);
     warnings.push_back(warning + " deg: it is taken as level");
   }
-  return {planar(found->T_base_frame), up < 0.0};
-}
-
-void apply(const LaserMount& mount, LaserScan& scan) noexcept {
-  scan.T_robot_laser = mount.T_robot_laser;
-  if (!mount.upside_down) return;
-  scan.angle_min = -scan.angle_min;
-  scan.angle_increment = -scan.angle_increment;
+  return mount;
 }
 
 }  // namespace slamicp

@@ -68,13 +68,8 @@ void drop_impossible_beam_times(std::vector<LaserScan>& scans, const std::string
 void add_odometry(const MotionTrack& odometry, std::vector<LaserScan>& scans, std::vector<std::string>& warnings) {
   if (odometry.empty()) return;
   std::size_t missing = 0;
-  for (LaserScan& scan : scans) {
-    scan.T_odom_robot = odometry.at(scan.stamp);
-    if (!scan.T_odom_robot) ++missing;
-    if (!scan.T_odom_robot || sweep_time(scan) == 0.0) continue;
-    if (const std::optional<Pose2> last = odometry.at(scan.stamp + sweep_time(scan)))
-      scan.sweep_motion = scan.T_odom_robot->inverse() * *last;
-  }
+  for (LaserScan& scan : scans)
+    if (!set_odometry(odometry, scan)) ++missing;
   if (missing > 0)
     warnings.push_back("odometry does not cover " + std::to_string(missing) + " of " +
                        text::count_of(scans.size(), "scan"));

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include <slamicp/error.hpp>
+#include <slamicp/geometry/planar.hpp>
 
-#include "io/planar.hpp"
 #include "io/text.hpp"
 
 namespace slamicp {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <slamicp/io/scan_log.hpp>
+#include <slamicp/scan/motion_track.hpp>
 
 #include "io/frame_tree.hpp"
-#include "io/motion_track.hpp"
 #include "io/recording.hpp"
 #include "io/ros_messages.hpp"
 

@@ -2,8 +2,8 @@
 #include "io/ros_robot.hpp"
 
 #include <slamicp/error.hpp>
+#include <slamicp/geometry/planar.hpp>
 
-#include "io/planar.hpp"
 #include "io/ros_topics.hpp"
 #include "io/text.hpp"
 

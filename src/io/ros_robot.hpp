@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <slamicp/io/scan_log.hpp>
+#include <slamicp/scan/motion_track.hpp>
 
-#include "io/motion_track.hpp"
 #include "io/ros_recording.hpp"
 
 namespace slamicp {

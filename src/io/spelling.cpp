@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/spelling.hpp"
-
 #include <algorithm>
 #include <vector>
+
+#include <slamicp/io/spelling.hpp>
 
 namespace slamicp::text {
 

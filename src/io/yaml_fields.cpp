@@ -9,8 +9,8 @@
 
 #include <slamicp/error.hpp>
 #include <slamicp/geometry/angle.hpp>
+#include <slamicp/io/spelling.hpp>
 
-#include "io/spelling.hpp"
 #include "io/text.hpp"
 
 namespace slamicp {

@@ -1,10 +1,11 @@
 # The sources that readers need, once more: a fuzzer sees only what is compiled for it.
 set(source_dir ${PROJECT_SOURCE_DIR}/src)
-set(fuzzed_sources ${source_dir}/error.cpp ${source_dir}/geometry/pose.cpp ${source_dir}/map/occupancy_grid.cpp)
+set(fuzzed_sources ${source_dir}/error.cpp ${source_dir}/geometry/pose.cpp ${source_dir}/map/occupancy_grid.cpp
+  ${source_dir}/scan/motion_track.cpp ${source_dir}/scan/laser_mount.cpp)
 foreach(concept text output_file log_checks laser_offset carmen_messages carmen_log carmen_writer ranges_csv scan_log
                 xyz pcd ply_header ply trajectory_file relations_file pgm png occupancy_yaml occupancy_cells
                 file_bytes log_format compression decoders ros1_reader cdr ros_messages bag_records ros1_bag mcap database
-                rosbag2_database rosbag2_files rosbag2 frame_tree motion_track laser_mount ros_recording ros_topics ros_robot
+                rosbag2_database rosbag2_files rosbag2 frame_tree laser_mount ros_recording ros_topics ros_robot
                 ros_log spelling yaml_fields world_yaml world_writer)
   list(APPEND fuzzed_sources ${source_dir}/io/${concept}.cpp)
   string(SUBSTRING ${concept} 0 1 initial)

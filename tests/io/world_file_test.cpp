@@ -4,6 +4,7 @@
 
 #include <slamicp/io/file_kind.hpp>
 #include <slamicp/io/map_file.hpp>
+#include <slamicp/io/spelling.hpp>
 #include <slamicp/io/world_file.hpp>
 #include <slamicp/navigation/spline_path.hpp>
 #include <slamicp/simulation/corridor_world.hpp>
@@ -11,7 +12,6 @@
 #include <slamicp/simulation/lidar.hpp>
 
 #include "io/io_test_support.hpp"
-#include "io/spelling.hpp"
 
 namespace slamicp::world_file_test {
 namespace {
