@@ -49,6 +49,9 @@ std::optional<Pose2> MotionTrack::at(double stamp) const noexcept {
                                       [](double moment, const Sample& sample) { return moment < sample.stamp; });
   const Sample& from = *(after - 1);
   const double interval = after->stamp - from.stamp;
+  // At a sample it is that sample, to the last bit, whether others have followed or not.
+  if (stamp == from.stamp) return from.T_odom_robot;
+  if (stamp == after->stamp) return after->T_odom_robot;
   const double share = (stamp - from.stamp) / interval;
   if (share < 0.0 && interval < shortest_told) return from.T_odom_robot;
   if (share > 1.0 && interval < shortest_told) return after->T_odom_robot;

@@ -32,6 +32,20 @@ TEST(MotionTrack, GrownSampleBySampleInAnyOrderIsTheSameAsMadeAtOnce) {
   for (double stamp = 0.95; stamp < 3.1; stamp += 0.01) EXPECT_EQ(grown.at(stamp)->x, whole.at(stamp)->x) << stamp;
 }
 
+TEST(MotionTrack, AtASampleItIsThatSampleWhetherOthersHaveFollowedOrNot) {
+  MotionTrack track;
+  track.add({1.0, {0.1, 0.2, 0.3}});
+  track.add({1.3, {0.7, 0.1, 0.5}});
+  const Pose2 last = *track.at(1.3);
+  track.add({1.7, {0.9, 0.3, 0.6}});
+  const Pose2 middle = *track.at(1.3);
+  EXPECT_EQ(last.x, 0.7);
+  EXPECT_EQ(last.theta, 0.5);
+  EXPECT_EQ(middle.x, last.x);
+  EXPECT_EQ(middle.y, last.y);
+  EXPECT_EQ(middle.theta, last.theta);
+}
+
 TEST(MotionTrack, ForgettingOldSamplesLeavesTheRestAsItIs) {
   MotionTrack track;
   for (int k = 0; k < 10; ++k) track.add(at(k, 0.1 * k * k));
