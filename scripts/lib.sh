@@ -54,6 +54,28 @@ python3-dev          ... and what it is compiled with
 # Where npm does not come with Node.js, as it does outside Debian.
 command -v npm >/dev/null || needs_for_tests+="npm                  fetches what else writes MCAP, to compare
 "
+needs_for_ros="
+libroscpp-dev        slamicp_node for ROS 1 ...
+libsensor-msgs-dev   ... and its messages: scans, clouds
+libnav-msgs-dev      ... maps, odometry
+libgeometry-msgs-dev ... poses
+libtf2-msgs-dev      ... frames
+libvisualization-msgs-dev ... markers
+libdiagnostic-msgs-dev ... diagnostics
+libstd-srvs-dev      ... and services
+ros-message-generation makes headers of its own messages ...
+ros-std-msgs         ... which have headers of these
+python3-roslaunch    the master that tests run it with ...
+rosout               ... and what the master starts
+python3-rospy        robots of tests
+python3-rosbag       that play recordings
+python3-sensor-msgs  and hear what the node says
+python3-nav-msgs     the same
+python3-tf2-msgs     the same
+python3-visualization-msgs the same
+python3-diagnostic-msgs the same
+python3-std-srvs     the same
+"
 needs_for_clang="
 clang                the second compiler
 libclang-rt-14-dev   its fuzzer and sanitizers

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conversions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace slamicp::node {
+namespace {
+
+template <class Vector>
+Position position_of(const Vector& vector) {
+  return {vector.x, vector.y, vector.z};
+}
+
+Quaternion quaternion_of(const geometry_msgs::Quaternion& quaternion) {
+  return {quaternion.x, quaternion.y, quaternion.z, quaternion.w};
+}
+
+geometry_msgs::Quaternion turn_by(double theta) {
+  geometry_msgs::Quaternion quaternion;
+  quaternion.z = std::sin(0.5 * theta);
+  quaternion.w = std::cos(0.5 * theta);
+  return quaternion;
+}
+
+sensor_msgs::PointField field(const char* name, std::uint32_t offset) {
+  sensor_msgs::PointField told;
+  told.name = name;
+  told.offset = offset;
+  told.datatype = sensor_msgs::PointField::FLOAT32;
+  told.count = 1;
+  return told;
+}
+
+void colour(visualization_msgs::Marker& marker, float red, float green, float blue) {
+  marker.color.r = red;
+  marker.color.g = green;
+  marker.color.b = blue;
+  marker.color.a = 0.8F;
+}
+
+visualization_msgs::Marker marker_of(const Obstacle& obstacle) {
+  constexpr double height = 0.5, thinnest = 0.03;
+  visualization_msgs::Marker marker;
+  const bool is_round = obstacle.kind == "circle";
+  marker.type = is_round ? visualization_msgs::Marker::CYLINDER : visualization_msgs::Marker::CUBE;
+  marker.pose.position.x = obstacle.x;
+  marker.pose.position.y = obstacle.y;
+  marker.pose.position.z = 0.5 * height;
+  marker.pose.orientation = turn_by(obstacle.heading);
+  marker.scale.x = std::max(obstacle.width, thinnest);
+  marker.scale.y = std::max(obstacle.depth, thinnest);
+  marker.scale.z = height;
+  if (obstacle.state == "person" || obstacle.state == "leg" || obstacle.state == "moving")
+    colour(marker, 0.9F, 0.2F, 0.1F);
+  else if (obstacle.state == "static")
+    colour(marker, 0.9F, 0.6F, 0.1F);
+  else
+    colour(marker, 0.6F, 0.6F, 0.6F);
+  return marker;
+}
+
+}  // namespace
+
+Stamp stamp_of(const ros::Time& time) { return Stamp::from(time.sec, time.nsec); }
+
+ros::Time to_ros(const Stamp& stamp) {
+  return ros::Time(static_cast<std::uint32_t>(stamp.whole_seconds()), static_cast<std::uint32_t>(stamp.rest()));
+}
+
+Transform from_ros(const geometry_msgs::TransformStamped& message) {
+  return {stamp_of(message.header.stamp), message.header.frame_id, message.child_frame_id,
+          position_of(message.transform.translation), quaternion_of(message.transform.rotation)};
+}
+
+Odometry from_ros(const nav_msgs::Odometry& message) {
+  return {stamp_of(message.header.stamp), message.header.frame_id, message.child_frame_id,
+          position_of(message.pose.pose.position), quaternion_of(message.pose.pose.orientation)};
+}
+
+Scan from_ros(const sensor_msgs::LaserScan& message) {
+  Scan scan;
+  scan.stamp = stamp_of(message.header.stamp);
+  scan.frame = message.header.frame_id;
+  scan.angle_min = message.angle_min;
+  scan.angle_increment = message.angle_increment;
+  scan.time_increment = message.time_increment;
+  scan.scan_time = message.scan_time;
+  scan.range_min = message.range_min;
+  scan.range_max = message.range_max;
+  scan.ranges = message.ranges.data();
+  scan.count = message.ranges.size();
+  return scan;
+}
+
+Grid from_ros(const nav_msgs::OccupancyGrid& message) {
+  Grid grid;
+  grid.stamp = stamp_of(message.header.stamp);
+  grid.frame = message.header.frame_id;
+  grid.resolution = static_cast<double>(message.info.resolution);
+  grid.width = static_cast<int>(message.info.width);
+  grid.height = static_cast<int>(message.info.height);
+  grid.origin = position_of(message.info.origin.position);
+  grid.orientation = quaternion_of(message.info.origin.orientation);
+  grid.cells = message.data;
+  return grid;
+}
+
+GivenPose from_ros(const geometry_msgs::PoseWithCovarianceStamped& message) {
+  return {stamp_of(message.header.stamp), message.header.frame_id, position_of(message.pose.pose.position),
+          quaternion_of(message.pose.pose.orientation)};
+}
+
+geometry_msgs::PoseWithCovarianceStamped pose_to_ros(const Output& output, const std::string& frame) {
+  geometry_msgs::PoseWithCovarianceStamped message;
+  message.header.stamp = to_ros(output.stamp);
+  message.header.frame_id = frame;
+  message.pose.pose.position.x = output.pose.x;
+  message.pose.pose.position.y = output.pose.y;
+  message.pose.pose.orientation = turn_by(output.pose.theta);
+  std::copy(output.covariance.begin(), output.covariance.end(), message.pose.covariance.begin());
+  return message;
+}
+
+geometry_msgs::TransformStamped transform_to_ros(const Output& output) {
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = to_ros(output.transform_stamp);
+  message.header.frame_id = output.frame;
+  message.child_frame_id = output.child;
+  message.transform.translation.x = output.transform.x;
+  message.transform.translation.y = output.transform.y;
+  message.transform.rotation = turn_by(output.transform.theta);
+  return message;
+}
+
+sensor_msgs::PointCloud2 to_ros(const std::vector<Point>& points, const Output& output) {
+  static_assert(sizeof(Point) == 3 * sizeof(float), "a point is what the cloud's fields say");
+  sensor_msgs::PointCloud2 cloud;
+  cloud.header.stamp = to_ros(output.stamp);
+  cloud.header.frame_id = output.scan_frame;
+  cloud.height = 1;
+  cloud.width = static_cast<std::uint32_t>(points.size());
+  cloud.fields = {field("x", 0), field("y", 4), field("z", 8)};
+  cloud.point_step = sizeof(Point);
+  cloud.row_step = cloud.point_step * cloud.width;
+  cloud.is_dense = 1U;
+  cloud.data.resize(cloud.row_step);
+  if (!points.empty()) std::memcpy(cloud.data.data(), points.data(), cloud.row_step);
+  return cloud;
+}
+
+slamicp_msgs::Obstacles obstacles_to_ros(const Output& output, const std::string& frame) {
+  slamicp_msgs::Obstacles message;
+  message.header.stamp = to_ros(output.stamp);
+  message.header.frame_id = frame;
+  for (const Obstacle& obstacle : output.obstacles) {
+    slamicp_msgs::Obstacle told;
+    told.id = obstacle.id;
+    told.kind = obstacle.kind;
+    told.state = obstacle.state;
+    told.x = obstacle.x;
+    told.y = obstacle.y;
+    told.heading = obstacle.heading;
+    told.width = obstacle.width;
+    told.depth = obstacle.depth;
+    told.radius = obstacle.radius;
+    told.velocity_x = obstacle.velocity_x;
+    told.velocity_y = obstacle.velocity_y;
+    told.distance = obstacle.distance;
+    told.points = obstacle.points;
+    message.obstacles.push_back(told);
+  }
+  return message;
+}
+
+visualization_msgs::MarkerArray markers_to_ros(const Output& output, const std::string& frame, std::size_t shown) {
+  visualization_msgs::MarkerArray message;
+  for (std::size_t k = 0; k < std::max(shown, output.obstacles.size()); ++k) {
+    const bool is_there = k < output.obstacles.size();
+    visualization_msgs::Marker marker = is_there ? marker_of(output.obstacles[k]) : visualization_msgs::Marker();
+    marker.action = is_there ? visualization_msgs::Marker::ADD : visualization_msgs::Marker::DELETE;
+    marker.header.stamp = to_ros(output.stamp);
+    marker.header.frame_id = frame;
+    marker.ns = "obstacles";
+    marker.id = static_cast<std::int32_t>(k);
+    if (!is_there) marker.pose.orientation.w = 1.0;
+    message.markers.push_back(marker);
+  }
+  return message;
+}
+
+slamicp_msgs::Status to_ros(const Status& status, const Stamp& stamp, const std::string& frame) {
+  slamicp_msgs::Status message;
+  message.header.stamp = to_ros(stamp);
+  message.header.frame_id = frame;
+  message.state = to_string(status.state);
+  message.tracking = status.tracking;
+  message.stop = status.stop;
+  message.usable = status.usable;
+  message.probability = status.probability;
+  message.awareness = status.awareness;
+  message.blind = status.blind;
+  message.blind_x = status.blind_x;
+  message.blind_y = status.blind_y;
+  message.carried_by = status.carried_by;
+  message.points = status.points;
+  message.inliers = status.inliers;
+  message.outliers = status.outliers;
+  message.iterations = status.iterations;
+  message.localization_seconds = status.localization_seconds;
+  message.obstacle_seconds = status.obstacle_seconds;
+  message.waited = status.waited;
+  message.had_odometry = status.had_odometry;
+  message.scans = status.scans;
+  message.dropped = status.dropped;
+  message.recoveries = status.recoveries;
+  return message;
+}
+
+nav_msgs::OccupancyGrid to_ros(const Grid& grid) {
+  nav_msgs::OccupancyGrid message;
+  message.header.stamp = to_ros(grid.stamp);
+  message.header.frame_id = grid.frame;
+  message.info.map_load_time = message.header.stamp;
+  message.info.resolution = static_cast<float>(grid.resolution);
+  message.info.width = static_cast<std::uint32_t>(grid.width);
+  message.info.height = static_cast<std::uint32_t>(grid.height);
+  message.info.origin.position.x = grid.origin.x;
+  message.info.origin.position.y = grid.origin.y;
+  message.info.origin.orientation.z = grid.orientation.z;
+  message.info.origin.orientation.w = grid.orientation.w;
+  message.data = grid.cells;
+  return message;
+}
+
+diagnostic_msgs::DiagnosticArray to_ros(const Diagnostic& diagnostic, const ros::Time& now, const std::string& name) {
+  diagnostic_msgs::DiagnosticStatus status;
+  status.level = static_cast<std::int8_t>(diagnostic.level);
+  status.name = name;
+  status.hardware_id = "none";
+  status.message = diagnostic.message;
+  for (const auto& [key, value] : diagnostic.values) {
+    diagnostic_msgs::KeyValue pair;
+    pair.key = key;
+    pair.value = value;
+    status.values.push_back(pair);
+  }
+  diagnostic_msgs::DiagnosticArray message;
+  message.header.stamp = now;
+  message.status.push_back(status);
+  return message;
+}
+
+}  // namespace slamicp::node
