@@ -22,7 +22,7 @@ std::optional<Pose3> pose_of(const Position& position, const Quaternion& orienta
   return pose;
 }
 
-Frames::Frames(std::string odom, std::string base) : odom_(without_slash(odom)), base_(without_slash(base)) {}
+Frames::Frames(std::string_view odom, std::string_view base) : odom_(without_slash(odom)), base_(without_slash(base)) {}
 
 std::vector<Frames::Links::const_iterator> Frames::above(std::string_view frame, std::string_view to) const {
   std::vector<Links::const_iterator> chain;

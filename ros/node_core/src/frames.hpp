@@ -22,7 +22,7 @@ std::optional<Pose3> pose_of(const Position& position, const Quaternion& orienta
 /// Which frames sit on which, as tf last said. Names count without a leading slash.
 class Frames {
  public:
-  Frames(std::string odom, std::string base);
+  Frames(std::string_view odom, std::string_view base);
 
   /// Where the robot is by its wheels, if this link says so: the one between odometry and base that is told most often.
   /// The others count as they last were.

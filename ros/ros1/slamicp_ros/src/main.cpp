@@ -30,6 +30,7 @@ Value value_of(const XmlRpc::XmlRpcValue& given) {
       return static_cast<double>(value);
     case XmlRpc::XmlRpcValue::TypeArray: {
       std::vector<std::string> words;
+      words.reserve(static_cast<std::size_t>(value.size()));
       for (int k = 0; k < value.size(); ++k)
         words.push_back(value[k].getType() == XmlRpc::XmlRpcValue::TypeString ? static_cast<std::string>(value[k])
                                                                               : value[k].toXml());
