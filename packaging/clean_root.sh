@@ -7,7 +7,9 @@ set -euo pipefail
 debs=$(realpath "$1")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 tar=$PWD/build/clean-root.tar root=$PWD/build/clean-root
-suite=bookworm mirror=${SLAMICP_DEBIAN_MIRROR:-http://deb.debian.org/debian}
+suite=bookworm
+# Where this machine's own packages come from.
+mirror=${SLAMICP_DEBIAN_MIRROR:-$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | sed -n 1p)}
 export DEBIAN_FRONTEND=noninteractive LC_ALL=C
 
 if ! compgen -G "$debs/libslamicp-dev_*.deb" >/dev/null; then
