@@ -93,6 +93,7 @@ struct Localizer::State {
   double surprise() const noexcept;
   void doubt() noexcept;
   bool recover(int budget);
+  bool lies_along(const Vector<2>& direction) const noexcept;
   void look_along_blind_direction();
   void look_nearer(bool by_odometry);
   void project(std::span<const LaserScan> scans, const Velocity& velocity);
@@ -239,6 +240,17 @@ void Localizer::State::look_nearer(bool by_odometry) {
   if (near.usable() && static_cast<double>(near.pairs) >= enough) take(near);
 }
 
+/// True where the match is as the prediction would have it but for a way in that direction, which is known to a degree:
+/// how far the way may be off to the side, the prediction's noise does not say.
+bool Localizer::State::lies_along(const Vector<2>& direction) const noexcept {
+  if (fix.match.uncertainty.surprise <= Uncertainty::credible) return true;
+  constexpr double aside = 0.03;              // [m]
+  constexpr double tilt = 1.0 * rad_per_deg;  // [rad]
+  const Vector<2> way = fix.match.pose.translation() - fix.predicted.translation();
+  return std::abs(cross(direction, way)) <= aside + tilt * std::abs(direction.dot(way)) &&
+         std::abs(wrap_angle(fix.match.pose.theta - fix.predicted.theta)) <= tilt;
+}
+
 /// Where the position may be far off in some direction, what has no match here may have one further along. If so, the
 /// match starts again there.
 void Localizer::State::look_along_blind_direction() {
@@ -255,7 +267,7 @@ void Localizer::State::look_along_blind_direction() {
   start.x += *shift * direction.x();
   start.y += *shift * direction.y();
   align_to_map(start);
-  if (fix.match.stop == Stop::converged && fix.match.uncertainty.surprise <= Uncertainty::credible) return;
+  if (fix.match.stop == Stop::converged && lies_along(direction)) return;
   align_to_map(fix.predicted);
 }
 

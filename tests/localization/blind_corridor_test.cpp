@@ -65,6 +65,28 @@ TEST(BlindCorridorTest, FollowsOdometryUntilAnEndIsSeen) {
   EXPECT_GE(static_cast<double>(flagged), 0.99 * static_cast<double>(blind));
 }
 
+// Far along, the direction that odometry has gone is a little off, and so is where it has the robot across.
+TEST(BlindCorridorTest, AnEndIsFoundAfterALongBlindWay) {
+  const World corridor = featureless_corridor(120.0, 2.5);
+  for (const std::uint64_t seed : {2U, 3U}) {
+    Random random(seed);
+    DriveOptions options;
+    options.speed = 0.5;
+    options.seed = seed;
+    options.lidar.rate = 5.0;
+    options.odometry = no_odometry_noise();
+    options.odometry.translation_scale_error = 0.02;
+    const SimulatedRun run = simulate_drive(corridor, route(corridor, "reference").waypoints, options);
+    Localizer localizer(PointMap2::create(sample_map(corridor, random)));
+    localizer.set_pose(run.truth.front().pose);
+    std::size_t k = 0;
+    for (; run.truth[k].pose.x < 120.0 - 29.0; ++k) localizer.update(run.scans[k]);
+    const PoseDistance off = distance(localizer.update(run.scans[k]).pose, run.truth[k].pose);
+    EXPECT_LT(off.translation, 0.03) << "seed " << seed;
+    EXPECT_TRUE(localizer.fix().blind_direction.isZero());
+  }
+}
+
 TEST(BlindCorridorTest, WithoutOdometryNothingMeasuredCarriesIt) {
   const Drive drive(false);
   Localizer localizer(drive.map);
