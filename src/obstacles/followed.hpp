@@ -31,7 +31,6 @@ struct Followed {
   double leg_share = 0.0;   // of the last scans that showed it as wide as a leg
   double next_test = 0.0;   // of its motion [s]
   double last_moved = 0.0;  // when a test told so [s]
-  double last_stood = 0.0;  // when a test told otherwise [s]
   int evidence = 0;         // tests in a row that told that it moves
   bool ever_moved = false;
   Point2 set_out = Point2::Zero();  // where it was first told to move ...

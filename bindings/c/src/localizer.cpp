@@ -97,14 +97,18 @@ void take_scan(const slamicp_scan& from, LaserScan& to) {
   to.range_max = from.range_max;
 }
 
+void write_point(const Point2& point, double* numbers) noexcept {
+  numbers[0] = point.x();
+  numbers[1] = point.y();
+}
+
 slamicp_fix told(const Fix& from, std::vector<slamicp_match>& matches) {
   slamicp_fix fix = {};
   fix.stamp = from.stamp;
   write_pose(from.pose, fix.pose);
   write_pose(from.predicted, fix.predicted);
   write_covariance(from.covariance, fix.covariance);
-  fix.blind_direction[0] = from.blind_direction.x();
-  fix.blind_direction[1] = from.blind_direction.y();
+  write_point(from.blind_direction, fix.blind_direction);
   fix.probability = from.quality.probability;
   fix.awareness = from.quality.awareness;
   fix.mean_inlier_distance = from.match.mean_inlier_distance;
@@ -134,11 +138,6 @@ ObstacleOptions obstacle_options_from(const slamicp_obstacle_options* options) {
   made.range_noise = options->range_noise;
   made.min_incidence_deg = options->min_incidence_deg;
   return made;
-}
-
-void write_point(const Point2& point, double* numbers) noexcept {
-  numbers[0] = point.x();
-  numbers[1] = point.y();
 }
 
 slamicp_obstacle told(const Obstacle& from) noexcept {

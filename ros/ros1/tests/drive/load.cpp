@@ -18,6 +18,7 @@
 #include <vector>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "messages.hpp"
 #include "simulated_robot.hpp"
 
 namespace slamicp::drive {
@@ -73,33 +74,10 @@ class Load {
     subscribers_.push_back(handle_.subscribe<Message>(topic, 100, hear));
   }
 
-  static geometry_msgs::TransformStamped transform(double stamp, const char* frame, const char* child,
-                                                   const PlainPose& pose) {
-    geometry_msgs::TransformStamped message;
-    message.header.stamp.fromSec(stamp);
-    message.header.frame_id = frame;
-    message.child_frame_id = child;
-    message.transform.translation.x = pose.x;
-    message.transform.translation.y = pose.y;
-    message.transform.rotation.z = std::sin(0.5 * pose.theta);
-    message.transform.rotation.w = std::cos(0.5 * pose.theta);
-    return message;
-  }
-
   /// Odometry half a sweep before the scan, as wheels that are read more often have it; then the scan, at its time.
   void send(const Sweep& sweep, SteadyClock::time_point when) {
-    tf2_msgs::TFMessage wheels;
-    wheels.transforms.push_back(transform(sweep.stamp, "odom", "base_link", sweep.odometry));
-    wheels.transforms.push_back(transform(sweep.end, "odom", "base_link", sweep.odometry_at_end));
-    sensor_msgs::LaserScan scan;
-    scan.header.stamp.fromSec(sweep.stamp);
-    scan.header.frame_id = "laser";
-    scan.angle_min = static_cast<float>(sweep.angle_min);
-    scan.angle_increment = static_cast<float>(sweep.angle_increment);
-    scan.time_increment = static_cast<float>(sweep.time_increment);
-    scan.range_min = 0.1F;
-    scan.range_max = static_cast<float>(sweep.range_max);
-    scan.ranges = sweep.ranges;
+    const tf2_msgs::TFMessage wheels = wheels_of(sweep);
+    const sensor_msgs::LaserScan scan = scan_of(sweep);
     tf_.publish(wheels);
     const auto wait = std::chrono::duration<double>(when - SteadyClock::now()).count();
     if (wait > 0.0) ros::WallDuration(wait).sleep();

@@ -15,17 +15,11 @@
 #include <std_srvs/Empty.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include "messages.hpp"
 #include "simulated_robot.hpp"
 
 namespace slamicp::drive {
 namespace {
-
-geometry_msgs::Quaternion turn_by(double theta) {
-  geometry_msgs::Quaternion quaternion;
-  quaternion.z = std::sin(0.5 * theta);
-  quaternion.w = std::cos(0.5 * theta);
-  return quaternion;
-}
 
 /// scan, odom, tf and truth out; cmd_vel in: each command is answered by the next sweep.
 class RobotNode {
@@ -56,24 +50,10 @@ class RobotNode {
   }
 
  private:
-  static geometry_msgs::TransformStamped transform(double stamp, const char* frame, const char* child,
-                                                   const PlainPose& pose) {
-    geometry_msgs::TransformStamped message;
-    message.header.stamp.fromSec(stamp);
-    message.header.frame_id = frame;
-    message.child_frame_id = child;
-    message.transform.translation.x = pose.x;
-    message.transform.translation.y = pose.y;
-    message.transform.rotation = turn_by(pose.theta);
-    return message;
-  }
-
   void step() {
     last_ = ros::WallTime::now();
     const Sweep& sweep = robot_.step(command_);
-    tf2_msgs::TFMessage wheels;
-    wheels.transforms.push_back(transform(sweep.stamp, "odom", "base_link", sweep.odometry));
-    wheels.transforms.push_back(transform(sweep.end, "odom", "base_link", sweep.odometry_at_end));
+    const tf2_msgs::TFMessage wheels = wheels_of(sweep);
     tf_.publish(wheels);
     nav_msgs::Odometry odometry;
     odometry.header = wheels.transforms[0].header;
@@ -89,16 +69,7 @@ class RobotNode {
     truth.pose.position.y = sweep.truth.y;
     truth.pose.orientation = turn_by(sweep.truth.theta);
     truth_.publish(truth);
-    sensor_msgs::LaserScan scan;
-    scan.header.stamp = odometry.header.stamp;
-    scan.header.frame_id = "laser";
-    scan.angle_min = static_cast<float>(sweep.angle_min);
-    scan.angle_increment = static_cast<float>(sweep.angle_increment);
-    scan.angle_max = scan.angle_min + scan.angle_increment * static_cast<float>(sweep.ranges.size() - 1);
-    scan.time_increment = static_cast<float>(sweep.time_increment);
-    scan.range_min = 0.1F;
-    scan.range_max = static_cast<float>(sweep.range_max);
-    scan.ranges = sweep.ranges;
+    const sensor_msgs::LaserScan scan = scan_of(sweep);
     scan_.publish(scan);
   }
 
