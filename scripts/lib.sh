@@ -76,6 +76,11 @@ python3-visualization-msgs the same
 python3-diagnostic-msgs the same
 python3-std-srvs     the same
 "
+needs_for_dds="
+cyclonedds-dev       slamicp_dds for ROS 2 machines ...
+cyclonedds-tools     ... and its messages
+libfastrtps-dev      another vendor's DDS, to test it against
+"
 needs_for_clang="
 clang                the second compiler
 libclang-rt-14-dev   its fuzzer and sanitizers

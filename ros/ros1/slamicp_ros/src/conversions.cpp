@@ -2,8 +2,8 @@
 #include "conversions.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
+#include <slamicp_node/marker.hpp>
 
 namespace slamicp::node {
 namespace {
@@ -17,11 +17,13 @@ Quaternion quaternion_of(const geometry_msgs::Quaternion& quaternion) {
   return {quaternion.x, quaternion.y, quaternion.z, quaternion.w};
 }
 
-geometry_msgs::Quaternion turn_by(double theta) {
-  geometry_msgs::Quaternion quaternion;
-  quaternion.z = std::sin(0.5 * theta);
-  quaternion.w = std::cos(0.5 * theta);
-  return quaternion;
+geometry_msgs::Quaternion to_ros(const Quaternion& quaternion) {
+  geometry_msgs::Quaternion message;
+  message.x = quaternion.x;
+  message.y = quaternion.y;
+  message.z = quaternion.z;
+  message.w = quaternion.w;
+  return message;
 }
 
 sensor_msgs::PointField field(const char* name, std::uint32_t offset) {
@@ -33,31 +35,20 @@ sensor_msgs::PointField field(const char* name, std::uint32_t offset) {
   return told;
 }
 
-void colour(visualization_msgs::Marker& marker, float red, float green, float blue) {
-  marker.color.r = red;
-  marker.color.g = green;
-  marker.color.b = blue;
-  marker.color.a = 0.8F;
-}
-
-visualization_msgs::Marker marker_of(const Obstacle& obstacle) {
-  constexpr double height = 0.5, thinnest = 0.03;
+visualization_msgs::Marker to_ros(const Marker& drawn) {
   visualization_msgs::Marker marker;
-  const bool is_round = obstacle.kind == "circle";
-  marker.type = is_round ? visualization_msgs::Marker::CYLINDER : visualization_msgs::Marker::CUBE;
-  marker.pose.position.x = obstacle.x;
-  marker.pose.position.y = obstacle.y;
-  marker.pose.position.z = 0.5 * height;
-  marker.pose.orientation = turn_by(obstacle.heading);
-  marker.scale.x = std::max(obstacle.width, thinnest);
-  marker.scale.y = std::max(obstacle.depth, thinnest);
-  marker.scale.z = height;
-  if (obstacle.state == "person" || obstacle.state == "leg" || obstacle.state == "moving")
-    colour(marker, 0.9F, 0.2F, 0.1F);
-  else if (obstacle.state == "static")
-    colour(marker, 0.9F, 0.6F, 0.1F);
-  else
-    colour(marker, 0.6F, 0.6F, 0.6F);
+  marker.type = drawn.is_round ? visualization_msgs::Marker::CYLINDER : visualization_msgs::Marker::CUBE;
+  marker.pose.position.x = drawn.position.x;
+  marker.pose.position.y = drawn.position.y;
+  marker.pose.position.z = drawn.position.z;
+  marker.pose.orientation = to_ros(drawn.orientation);
+  marker.scale.x = drawn.scale.x;
+  marker.scale.y = drawn.scale.y;
+  marker.scale.z = drawn.scale.z;
+  marker.color.r = drawn.red;
+  marker.color.g = drawn.green;
+  marker.color.b = drawn.blue;
+  marker.color.a = drawn.alpha;
   return marker;
 }
 
@@ -118,7 +109,7 @@ geometry_msgs::PoseWithCovarianceStamped pose_to_ros(const Output& output, const
   message.header.frame_id = frame;
   message.pose.pose.position.x = output.pose.x;
   message.pose.pose.position.y = output.pose.y;
-  message.pose.pose.orientation = turn_by(output.pose.theta);
+  message.pose.pose.orientation = to_ros(turn_by(output.pose.theta));
   std::copy(output.covariance.begin(), output.covariance.end(), message.pose.covariance.begin());
   return message;
 }
@@ -130,7 +121,7 @@ geometry_msgs::TransformStamped transform_to_ros(const Output& output) {
   message.child_frame_id = output.child;
   message.transform.translation.x = output.transform.x;
   message.transform.translation.y = output.transform.y;
-  message.transform.rotation = turn_by(output.transform.theta);
+  message.transform.rotation = to_ros(turn_by(output.transform.theta));
   return message;
 }
 
@@ -178,7 +169,8 @@ visualization_msgs::MarkerArray markers_to_ros(const Output& output, const std::
   visualization_msgs::MarkerArray message;
   for (std::size_t k = 0; k < std::max(shown, output.obstacles.size()); ++k) {
     const bool is_there = k < output.obstacles.size();
-    visualization_msgs::Marker marker = is_there ? marker_of(output.obstacles[k]) : visualization_msgs::Marker();
+    visualization_msgs::Marker marker =
+        is_there ? to_ros(marker_of(output.obstacles[k])) : visualization_msgs::Marker();
     marker.action = is_there ? visualization_msgs::Marker::ADD : visualization_msgs::Marker::DELETE;
     marker.header.stamp = to_ros(output.stamp);
     marker.header.frame_id = frame;

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "arguments.hpp"
+
+#include <charconv>
+#include <cstring>
+#include <optional>
+#include <system_error>
+#include <yaml-cpp/yaml.h>
+
+#include <slamicp/error.hpp>
+
+namespace slamicp::node {
+namespace {
+
+Value value_of(const YAML::Node& node, const std::string& name) {
+  if (node.IsSequence()) {
+    std::vector<std::string> words;
+    for (const YAML::Node& each : node) words.push_back(each.Scalar());
+    return words;
+  }
+  if (node.IsNull()) return std::string();
+  if (!node.IsScalar()) throw Error("'" + name + "' is neither a value nor a list", "parameters");
+  const bool is_quoted = node.Tag() == "!";
+  if (is_quoted) return node.Scalar();
+  int whole = 0;
+  double real = 0.0;
+  bool flag = false;
+  if (YAML::convert<int>::decode(node, whole)) return whole;
+  if (YAML::convert<double>::decode(node, real)) return real;
+  if (YAML::convert<bool>::decode(node, flag)) return flag;
+  return node.Scalar();
+}
+
+void set_value(const std::string& name, const Value& value, Arguments& arguments) {
+  if (name != "use_sim_time") {
+    arguments.values.emplace_back(name, value);
+    return;
+  }
+  const bool* const flag = std::get_if<bool>(&value);
+  if (flag == nullptr) throw Error("'use_sim_time' is a bool", "parameters", "give true or false");
+  arguments.use_sim_time = *flag;
+}
+
+void take_values(const YAML::Node& map, const std::string& prefix, Arguments& arguments) {
+  for (const auto& entry : map) {
+    const std::string name = prefix + entry.first.Scalar();
+    if (entry.second.IsMap())
+      take_values(entry.second, name + ".", arguments);
+    else
+      set_value(name, value_of(entry.second, name), arguments);
+  }
+}
+
+void take_file(const std::string& file, Arguments& arguments) {
+  bool found = false;
+  try {
+    for (const auto& entry : YAML::LoadFile(file)) {
+      const std::string node = entry.first.Scalar();
+      const bool is_ours = node == "/**" || node == arguments.names.node || node == arguments.names.whole();
+      if (!is_ours || !entry.second.IsMap() || !entry.second["ros__parameters"].IsDefined()) continue;
+      found = true;
+      take_values(entry.second["ros__parameters"], "", arguments);
+    }
+  } catch (const YAML::Exception& problem) {
+    throw Error(problem.what(), file, "a file of parameters: node name, ros__parameters, and their names and values");
+  }
+  if (!found) arguments.warnings.push_back(file + " has no ros__parameters for " + arguments.names.whole());
+}
+
+/// FROM:=TO
+std::pair<std::string, std::string> parts_of(const std::string& word) {
+  const std::size_t middle = word.find(":=");
+  if (middle == std::string::npos || middle == 0) throw Error("'" + word + "' is not NAME:=VALUE", "command line");
+  return {word.substr(0, middle), word.substr(middle + 2)};
+}
+
+void set_parameter(const std::string& word, Arguments& arguments) {
+  const auto [name, text] = parts_of(word);
+  try {
+    set_value(name, value_of(YAML::Load(text), name), arguments);
+  } catch (const YAML::Exception& problem) {
+    throw Error(problem.what(), name, "give the value as YAML has it");
+  }
+}
+
+void remap(const std::string& word, Arguments& arguments) {
+  const auto [from, to] = parts_of(word);
+  if (to.empty()) throw Error("'" + word + "' names nothing", "command line");
+  if (from == "__node" || from == "__name")
+    arguments.names.node = to;
+  else if (from == "__ns")
+    arguments.names.space = to.front() == '/' ? to : '/' + to;
+  else
+    arguments.names.remapped.emplace_back(from, to);
+}
+
+}  // namespace
+
+Arguments arguments_from(const std::vector<std::string>& words) {
+  Arguments arguments;
+  std::vector<std::pair<std::string, std::string>> given;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    const bool is_of_one_word = word == "--ros-args" || word == "--";
+    if (is_of_one_word) continue;
+    if (word == "--parameters") {
+      arguments.print_parameters = true;
+      continue;
+    }
+    const bool has_value = word == "-p" || word == "--param" || word == "-r" || word == "--remap" ||
+                           word == "--params-file" || word == "--log-level";
+    if (!has_value)
+      throw Error("'" + word + "' means nothing here", "command line",
+                  "--ros-args -p NAME:=VALUE --params-file FILE.yaml -r FROM:=TO, or --parameters");
+    if (k + 1 == words.size()) throw Error("'" + word + "' wants a word after it", "command line");
+    given.emplace_back(word, words[++k]);
+  }
+  // Whose section of a file holds goes by the node's name, wherever that is said.
+  for (const auto& [word, value] : given)
+    if (word == "-r" || word == "--remap") remap(value, arguments);
+  for (const auto& [word, value] : given) {
+    if (word == "-p" || word == "--param") set_parameter(value, arguments);
+    if (word == "--params-file") take_file(value, arguments);
+  }
+  return arguments;
+}
+
+std::uint32_t domain_from(const char* text) {
+  constexpr std::uint32_t most = 232;  // beyond, DDS has no ports
+  if (text == nullptr || *text == '\0') return 0;
+  std::uint32_t domain = 0;
+  const char* const end = text + std::strlen(text);
+  const auto [rest, problem] = std::from_chars(text, end, domain);
+  if (problem != std::errc() || rest != end || domain > most)
+    throw Error(std::string("'") + text + "' is no domain", "ROS_DOMAIN_ID", "give a whole number from 0 to 232");
+  return domain;
+}
+
+}  // namespace slamicp::node

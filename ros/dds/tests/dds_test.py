@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""slamicp_dds (Cyclone DDS) and a robot that speaks Fast DDS, in a network of their own."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+NODE = os.environ.get("SLAMICP_DDS", "slamicp_dds")
+PEER = os.environ.get("SLAMICP_DDS_PEER", "slamicp_dds_peer")
+
+
+def enter_own_network():
+    """Participants find each other by multicast: here on loopback, where nobody else is."""
+    if os.environ.get("SLAMICP_OWN_NETWORK") == "1":
+        return
+    os.environ.update(SLAMICP_OWN_NETWORK="1", ROS_DOMAIN_ID="42", PATH="/usr/sbin:/usr/bin:/sbin:/bin")
+    os.environ.pop("CYCLONEDDS_URI", None)
+    words = ["unshare", "--net"] + ([] if os.geteuid() == 0 else ["--map-root-user"])
+    up = 'ip link set lo up && ip link set lo multicast on && ip route add 224.0.0.0/4 dev lo && exec "$@"'
+    os.execvp(words[0], [*words, "sh", "-c", up, "_", sys.executable, "-B", *sys.argv])
+
+
+enter_own_network()
+
+
+class DdsTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def start(self, *words):
+        process = subprocess.Popen([NODE, "--ros-args", *map(str, words)])
+
+        def stop():
+            process.terminate()
+            self.assertEqual(process.wait(60), 0, "it ends when it is asked to")
+        self.addCleanup(stop)
+        return process
+
+    def peer(self, *words):
+        told = subprocess.run([PEER, *map(str, words)], capture_output=True, text=True, timeout=240)
+        self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
+        return told.stdout
+
+    def refused(self, *words, **environment):
+        told = subprocess.run([NODE, "--ros-args", *map(str, words)], capture_output=True, text=True, timeout=60,
+                              env={**os.environ, **environment})
+        self.assertEqual(told.returncode, 1)
+        return told.stderr
+
+    def test_map_tf_and_scans_in_poses_tf_and_clouds_out(self):
+        x, y, theta = self.peer("start").split()
+        node = self.start("-p", "odometry_wait:=10.0", "-p", "scan_timeout:=1000", "-p", f"initial_pose_x:={x}",
+                          "-p", f"initial_pose_y:={y}", "-p", f"initial_pose_a:={theta}")
+        self.assertIn("agree: 100 scans", self.peer("tf"))
+        self.assertIsNone(node.poll(), "the node is alive")
+
+    def test_a_namespace_a_file_of_parameters_and_time_that_is_played(self):
+        self.peer("map", self.folder / "room.pcd")
+        parameters = self.folder / "robot.yaml"
+        parameters.write_text(f"""
+            /**:
+              ros__parameters:
+                use_sim_time: true
+                odometry_wait: 10.0
+                scan_timeout: 1000
+                map_file: "{self.folder}/room.pcd"
+            localization:
+              ros__parameters:
+                odom_topic: odom
+                wait_for_initial_pose: true
+                scan_topics: [front]
+            another:
+              ros__parameters: {{max_iterations: 1, what_nobody_knows: 3}}
+        """)
+        node = self.start("--params-file", parameters, "-r", "__node:=localization", "-r", "__ns:=/robot", "-r",
+                          "front:=scan")
+        self.assertIn("agree: 100 scans", self.peer("odom", self.folder / "room.pcd"))
+        self.assertIsNone(node.poll(), "the node is alive")
+
+    def test_what_it_does_not_know_is_refused(self):
+        self.assertIn("'odom_frame_id'", self.refused("-p", "odom_frame:=odom"), "the nearest name")
+        self.assertIn("'max_iterations' is a int", self.refused("-p", "max_iterations:='7'"), "quoted: a text")
+        self.assertIn("'max_iterations' is 0", self.refused("-p", "max_iterations:=0"))
+        self.assertIn("NAME:=VALUE", self.refused("-p", "deskew=true"))
+        self.assertIn("nowhere.yaml", self.refused("--params-file", self.folder / "nowhere.yaml"))
+        self.assertIn("ROS_DOMAIN_ID", self.refused(ROS_DOMAIN_ID="233"))
+        self.assertIn("'--scan'", self.refused("--scan"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// The other vendor's DDS, by what the test needs of it: messages go in and out as bytes.
+namespace slamicp::dds_peer {
+
+using Bytes = std::vector<char>;  // a message in CDR, with its first four bytes
+
+struct Quality {
+  bool reliable = true, latched = false;
+  int depth = 10;
+};
+
+class FastDds {
+ public:
+  class Writer;
+  class Reader;
+
+  explicit FastDds(std::uint32_t domain);
+  ~FastDds();
+  /// @param topic  "rt/scan"
+  /// @param type   "sensor_msgs::msg::dds_::LaserScan_"
+  Writer writer(const std::string& topic, const std::string& type, const Quality& quality);
+  Reader reader(const std::string& topic, const std::string& type, const Quality& quality);
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+class FastDds::Writer {
+ public:
+  void write(const Bytes& message) const;
+  bool is_heard() const;
+
+ private:
+  friend class FastDds;
+  void* writer_ = nullptr;
+};
+
+class FastDds::Reader {
+ public:
+  /// The next message; false: none has come.
+  bool take(Bytes& message) const;
+  /// How many writers it hears; on a topic that we write, ourselves too.
+  int speakers() const;
+
+ private:
+  friend class FastDds;
+  void* reader_ = nullptr;
+};
+
+}  // namespace slamicp::dds_peer

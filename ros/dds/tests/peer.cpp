@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: Apache-2.0
+// slamicp_dds_peer start | map FILE | tf | odom FILE: a simulated robot that speaks Fast DDS, in ROS_DOMAIN_ID.
+//   start      where the robot starts in the map: x y theta
+//   map FILE   writes the map
+//   tf         gives map, tf and scans, and hears what slamicp_dds says of them
+//   odom FILE  gives the clock, odometry, a first pose and scans in namespace /robot; the node has the map FILE
+// The last two hold every word of the node against slamicp::node_core in this process, which is given the same
+// messages.
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <numbers>
+#include <slamicp_node/marker.hpp>
+#include <slamicp_node/node.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include <slamicp/io/map_file.hpp>
+#include <slamicp/map/occupancy_grid.hpp>
+#include <slamicp/simulation/drive.hpp>
+#include <slamicp/simulation/map_sampler.hpp>
+
+#include "cdr.hpp"
+#include "fast_dds.hpp"
+
+namespace slamicp::dds_peer {
+namespace {
+
+using node::Stamp;
+
+constexpr int scans_sent = 100;
+constexpr Stamp before{999500000000};  // the first scan
+
+/// A room of 12 m x 8 m with a thing or two in it.
+World room() {
+  World world;
+  const auto wall = [&](double ax, double ay, double bx, double by) { world.walls.push_back({{ax, ay}, {bx, by}}); };
+  wall(0, 0, 12, 0), wall(12, 0, 12, 8), wall(12, 8, 0, 8), wall(0, 8, 0, 0);
+  wall(4, 0, 4, 2), wall(8, 8, 8, 6.5), wall(8, 6.5, 10, 6.5);
+  world.pillars.push_back({{3.0, 6.0}, 0.3});
+  return world;
+}
+
+/// What the map does not have stands beside the way.
+SimulatedRun drive() {
+  World world = room();
+  world.pillars.push_back({{6.0, 2.5}, 0.2});
+  DriveOptions options;
+  options.speed = 0.5;
+  options.lidar.beams = 541;
+  options.lidar.angle_increment = 270.0 / 540.0 * std::numbers::pi / 180.0;
+  options.lidar.angle_min = -135.0 * std::numbers::pi / 180.0;
+  options.lidar.rate = 10.0;
+  options.lidar.sweep_time = 0.025;
+  const std::vector<Point2> way{{2.0, 3.0}, {5.0, 4.0}, {9.5, 4.0}, {10.5, 2.5}};
+  SimulatedRun run = simulate_drive(world, way, options);
+  for (LaserScan& scan : run.scans) scan.stamp += 1000.0;
+  return run;
+}
+
+PointCloud2 wall_samples() {
+  Random random(1);
+  return sample_map(room(), 0.02, 0.0, random);
+}
+
+node::Grid map_grid() {
+  const OccupancyGrid cells = to_occupancy_grid(wall_samples(), {.resolution = 0.05, .origin = {0.025, 0.025, 0.0}});
+  node::Grid grid;
+  grid.frame = "map";
+  grid.resolution = static_cast<double>(0.05F);  // as the message has it
+  grid.width = cells.width;
+  grid.height = cells.height;
+  grid.origin = {cells.T_map_grid.x, cells.T_map_grid.y, 0.0};
+  for (const CellState cell : cells.cells)
+    grid.cells.push_back(cell == CellState::occupied ? std::int8_t{100}
+                         : cell == CellState::free   ? std::int8_t{0}
+                                                     : std::int8_t{-1});
+  return grid;
+}
+
+node::Transform transform(double stamp, const std::string& frame, const std::string& child, const Pose2& pose) {
+  return {Stamp::from_seconds(stamp), frame, child, {pose.x, pose.y, 0.0}, node::turn_by(pose.theta)};
+}
+
+node::Scan message_of(const LaserScan& scan) {
+  node::Scan message;
+  message.stamp = Stamp::from_seconds(scan.stamp);
+  message.frame = "laser";
+  message.angle_min = static_cast<float>(scan.angle_min);
+  message.angle_increment = static_cast<float>(scan.angle_increment);
+  message.time_increment = static_cast<float>(scan.time_increment);
+  message.range_min = 0.1F;
+  message.range_max = 30.0F;
+  message.ranges = scan.ranges.data();
+  message.count = scan.ranges.size();
+  return message;
+}
+
+void must(bool holds, const std::string& what) {
+  if (!holds) throw std::runtime_error(what);
+}
+
+bool operator==(const node::Position& a, const node::Position& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+bool operator==(const node::Quaternion& a, const node::Quaternion& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+}
+bool operator==(const Stamp& a, const Stamp& b) { return a.nanoseconds == b.nanoseconds; }
+bool same(const std::vector<node::Point>& a, const std::vector<node::Point>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(node::Point)) == 0);
+}
+
+template <class Ready>
+void wait_for(const Ready& ready, const std::string& what) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point until = Clock::now() + std::chrono::seconds(60);
+  while (!ready()) {
+    must(Clock::now() < until, "nobody says: " + what);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+class Robot {
+ public:
+  Robot(bool has_odometry_topic, const std::string& map_file)
+      : has_odometry_topic_(has_odometry_topic),
+        space_(has_odometry_topic ? "rt/robot/" : "rt/"),
+        dds_(static_cast<std::uint32_t>(std::atoi(std::getenv("ROS_DOMAIN_ID")))),
+        run_(drive()),
+        node_(options(has_odometry_topic, run_, map_file), has_odometry_topic) {}
+
+  void drive_and_compare() {
+    greet();
+    for (int k = 0; k < scans_sent; ++k) compare(send(run_.scans[static_cast<std::size_t>(k)]), k);
+    compare_rest();
+    std::printf("agree: %d scans, %zu outliers and %zu obstacles in all\n", scans_sent, outliers_in_all_,
+                obstacles_in_all_);
+  }
+
+ private:
+  static node::NodeOptions options(bool has_odometry_topic, const SimulatedRun& run, const std::string& map_file) {
+    node::NodeOptions chosen;
+    chosen.odometry_wait = 10.0;
+    chosen.map_file = map_file;
+    chosen.wait_for_initial_pose = has_odometry_topic;
+    if (has_odometry_topic) {
+      chosen.odom_topic = "odom";
+    } else {
+      chosen.initial_pose_x = run.truth.front().pose.x;
+      chosen.initial_pose_y = run.truth.front().pose.y;
+      chosen.initial_pose_a = run.truth.front().pose.theta;
+    }
+    return chosen;
+  }
+
+  /// Until the node has all that it needs for scans, and both know each other's topics.
+  void greet() {
+    const std::vector<node::Transform> mount{transform(0.0, "base_link", "laser", {})};
+    mount_.write(transforms_message(mount));
+    node_.take_transform(mount.front(), true);
+    std::string problem;
+    if (has_odometry_topic_) {
+      wait_for([&] { return hears_state("waiting_for_pose", [&] { clock_.write(clock_message(before)); }); },
+               "waiting_for_pose");
+      const Pose2& start = run_.truth.front().pose;
+      const node::GivenPose pose{before, "map", {start.x, start.y, 0.0}, node::turn_by(start.theta)};
+      must(node_.take_pose(pose, problem), problem);
+      wait_for([&] { return hears_state("waiting_for_scan", [&] { given_pose_.write(given_pose_message(pose)); }); },
+               "waiting_for_scan");
+    } else {
+      const node::Grid grid = map_grid();
+      map_.write(grid_message(grid));
+      must(node_.take_map(grid, problem), problem);
+      wait_for([&] { return hears_state("waiting_for_scan", [] {}); }, "waiting_for_scan");
+    }
+    wait_for(
+        [&] {
+          const bool hears_all = pose_.speakers() > 0 && outliers_.speakers() > 0 && inliers_.speakers() > 0 &&
+                                 obstacles_.speakers() > 0 && markers_.speakers() > 0 && tf_out_.speakers() > 1;
+          return hears_all && scan_.is_heard() && (has_odometry_topic_ ? odometry_ : tf_).is_heard();
+        },
+        "all topics");
+    Bytes bytes;
+    while (pose_.take(bytes)) must(false, "a pose without a scan");
+  }
+
+  bool hears_state(const std::string& state, const std::function<void()>& meanwhile) {
+    meanwhile();
+    Bytes bytes;
+    bool heard = false;
+    while (status_.take(bytes)) {
+      const Status told = read_status(bytes);
+      // Played time is ours.
+      heard = told.state == state && (!has_odometry_topic_ || told.stamp == before);
+    }
+    return heard;
+  }
+
+  /// The scan to both nodes, with the odometry at its first and its last beam.
+  const node::Output& send(const LaserScan& scan) {
+    const double end = scan.stamp + sweep_time(scan);
+    const Pose2 T_odom_end = *scan.T_odom_robot * scan.sweep_motion.value_or(Pose2());
+    const std::vector<node::Transform> wheels{transform(scan.stamp, "odom", "base_link", *scan.T_odom_robot),
+                                              transform(end + 1e-3, "odom", "base_link", T_odom_end)};
+    const node::Scan message = message_of(scan);
+    if (has_odometry_topic_) {
+      // Not the scan's own stamp: a status of the waiting node might have it.
+      clock_.write(clock_message({message.stamp.nanoseconds + 1000000}));
+      for (const node::Odometry& each : wheels) {
+        odometry_.write(odometry_message(each));
+        node_.take_odometry(each, message.stamp);
+      }
+    } else {
+      tf_.write(transforms_message(wheels));
+      for (const node::Transform& each : wheels) node_.take_transform(each, false);
+    }
+    scan_.write(scan_message(message));
+    node_.take_scan(0, message, message.stamp);
+    const node::Output* const output = node_.step(message.stamp);
+    must(output != nullptr, "the node core waits");
+    return *output;
+  }
+
+  /// The message of a topic that has this stamp.
+  template <class Read, class StampOf>
+  auto next(const FastDds::Reader& reader, const Read& read, const StampOf& stamp_of, const Stamp& wanted,
+            const std::string& what) {
+    Bytes bytes;
+    decltype(read(bytes)) message;
+    wait_for([&] { return reader.take(bytes) && (message = read(bytes), stamp_of(message) == wanted); }, what);
+    return message;
+  }
+
+  void compare(const node::Output& output, int k) {
+    const std::string at = " of scan " + std::to_string(k);
+    const auto stamp_of = [](const auto& message) { return message.stamp; };
+    const Pose pose = next(pose_, read_pose, stamp_of, output.stamp, "amcl_pose" + at);
+    must(pose.frame == "map" && pose.position == node::Position{output.pose.x, output.pose.y, 0.0} &&
+             pose.orientation == node::turn_by(output.pose.theta),
+         "another pose" + at);
+    must(pose.covariance == output.covariance, "another covariance" + at);
+    must(output.status.usable, "not usable" + at);
+
+    const auto stamp_of_first = [](const std::vector<node::Transform>& all) {  // we hear our own too
+      return all.at(0).frame == "map" ? all.at(0).stamp : Stamp{-1};
+    };
+    const node::Transform tf = next(tf_out_, read_transforms, stamp_of_first, output.transform_stamp, "tf" + at).at(0);
+    must(tf.frame == "map" && tf.child == "odom" &&
+             tf.translation == node::Position{output.transform.x, output.transform.y, 0.0} &&
+             tf.rotation == node::turn_by(output.transform.theta),
+         "another transform" + at);
+
+    for (const bool is_outliers : {true, false}) {
+      const Cloud cloud = next(is_outliers ? outliers_ : inliers_, read_cloud, stamp_of, output.stamp, "cloud" + at);
+      must(cloud.frame == "laser" && cloud.fields == std::vector<std::string>{"x@0", "y@4", "z@8"}, "a cloud's fields");
+      must(same(cloud.points, is_outliers ? output.outliers : output.inliers), "another cloud" + at);
+    }
+    outliers_in_all_ += output.outliers.size();
+
+    const Obstacles told = next(obstacles_, read_obstacles, stamp_of, output.stamp, "obstacles" + at);
+    must(told.obstacles.size() == output.obstacles.size(), "other obstacles" + at);
+    for (std::size_t i = 0; i < told.obstacles.size(); ++i) {
+      const node::Obstacle &a = told.obstacles[i], &b = output.obstacles[i];
+      must(a.id == b.id && a.kind == b.kind && a.state == b.state && a.x == b.x && a.y == b.y &&
+               a.heading == b.heading && a.width == b.width && a.depth == b.depth && a.radius == b.radius &&
+               a.velocity_x == b.velocity_x && a.velocity_y == b.velocity_y && a.distance == b.distance &&
+               a.points == b.points,
+           "another obstacle" + at);
+    }
+    obstacles_in_all_ += told.obstacles.size();
+    compare_markers(output, at);
+
+    const auto [stamp, state, status] = next(status_, read_status, stamp_of, output.stamp, "status" + at);
+    const node::Status& ours = output.status;
+    must(state == node::to_string(ours.state) && status.tracking == ours.tracking && status.stop == ours.stop &&
+             status.usable == ours.usable && status.probability == ours.probability &&
+             status.awareness == ours.awareness && status.blind == ours.blind && status.blind_x == ours.blind_x &&
+             status.blind_y == ours.blind_y && status.carried_by == ours.carried_by && status.points == ours.points &&
+             status.inliers == ours.inliers && status.outliers == ours.outliers &&
+             status.iterations == ours.iterations && status.had_odometry == ours.had_odometry &&
+             status.scans == ours.scans && status.dropped == 0 && status.recoveries == ours.recoveries,
+         "another status" + at + ": " + state + ", " + status.tracking + ", " + status.stop + ", " + status.carried_by +
+             (status.had_odometry ? ", with" : ", without") + " odometry, " + std::to_string(status.inliers) +
+             " inliers, " + std::to_string(status.scans) + " scans, " + std::to_string(status.dropped) +
+             " dropped; not " + node::to_string(ours.state) + ", " + ours.tracking + ", " + ours.stop + ", " +
+             std::to_string(ours.inliers));
+    must(status.localization_seconds > 0.0, "no stopwatch");
+  }
+
+  void compare_markers(const node::Output& output, const std::string& at) {
+    Bytes bytes;
+    wait_for([&] { return markers_.take(bytes); }, "obstacle_markers" + at);
+    const std::vector<DrawnMarker> drawn = read_markers(bytes);
+    must(drawn.size() >= output.obstacles.size(), "too few markers" + at);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      constexpr std::int32_t add = 0, remove = 2, cube = 1, cylinder = 3;
+      must(drawn[i].ns == "obstacles" && drawn[i].id == static_cast<std::int32_t>(i) && drawn[i].frame == "map",
+           "another marker" + at);
+      const bool is_there = i < output.obstacles.size();
+      must(drawn[i].action == (is_there ? add : remove), "a marker's action" + at);
+      if (!is_there) continue;
+      const node::Marker marker = node::marker_of(output.obstacles[i]);
+      must(drawn[i].type == (marker.is_round ? cylinder : cube) && drawn[i].position == marker.position &&
+               drawn[i].scale == marker.scale && drawn[i].alpha == marker.alpha,
+           "another marker" + at);
+    }
+  }
+
+  void compare_rest() {
+    Bytes bytes;
+    wait_for([&] { return diagnostics_.take(bytes); }, "diagnostics");
+    const std::vector<Diagnostics> told = read_diagnostics(bytes);
+    must(told.size() == 1 && !told[0].values.empty() &&
+             told[0].name == (has_odometry_topic_ ? "robot/localization: localization" : "slamicp: localization"),
+         "other diagnostics");
+    if (!has_odometry_topic_) return;
+    // The file's map, published before we came to know the node.
+    wait_for([&] { return given_map_.take(bytes); }, "map");
+    const node::Grid grid = read_grid(bytes);
+    const node::Grid* const ours = node_.new_map({1});
+    must(ours != nullptr && grid.frame == "map" && grid.width == ours->width && grid.height == ours->height &&
+             grid.origin == ours->origin && grid.cells == ours->cells &&
+             grid.resolution == static_cast<double>(static_cast<float>(ours->resolution)),
+         "another map");
+  }
+
+  static constexpr Quality sensor_data{false, false, 5}, motion{true, false, 100}, latched{true, true, 1};
+  static constexpr Quality usual{true, false, 200};
+
+  bool has_odometry_topic_;
+  std::string space_;
+  FastDds dds_;
+  SimulatedRun run_;
+  node::Node node_;
+  std::size_t outliers_in_all_ = 0, obstacles_in_all_ = 0;
+
+  FastDds::Writer clock_ = dds_.writer("rt/clock", "rosgraph_msgs::msg::dds_::Clock_", sensor_data);
+  FastDds::Writer mount_ = dds_.writer("rt/tf_static", "tf2_msgs::msg::dds_::TFMessage_", latched);
+  FastDds::Writer tf_ = dds_.writer("rt/tf", "tf2_msgs::msg::dds_::TFMessage_", motion);
+  FastDds::Writer odometry_ = dds_.writer(space_ + "odom", "nav_msgs::msg::dds_::Odometry_", motion);
+  FastDds::Writer scan_ = dds_.writer(space_ + "scan", "sensor_msgs::msg::dds_::LaserScan_", sensor_data);
+  FastDds::Writer map_ = dds_.writer("rt/map", "nav_msgs::msg::dds_::OccupancyGrid_", latched);
+  FastDds::Writer given_pose_ =
+      dds_.writer(space_ + "initialpose", "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_", usual);
+  FastDds::Reader pose_ =
+      dds_.reader(space_ + "amcl_pose", "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_", latched);
+  FastDds::Reader tf_out_ = dds_.reader("rt/tf", "tf2_msgs::msg::dds_::TFMessage_", motion);
+  FastDds::Reader outliers_ = dds_.reader(space_ + "outliers", "sensor_msgs::msg::dds_::PointCloud2_", sensor_data);
+  FastDds::Reader inliers_ = dds_.reader(space_ + "inliers", "sensor_msgs::msg::dds_::PointCloud2_", usual);
+  FastDds::Reader obstacles_ = dds_.reader(space_ + "obstacles", "slamicp_msgs::msg::dds_::Obstacles_", usual);
+  FastDds::Reader markers_ =
+      dds_.reader(space_ + "obstacle_markers", "visualization_msgs::msg::dds_::MarkerArray_", usual);
+  FastDds::Reader status_ = dds_.reader(space_ + "slamicp/status", "slamicp_msgs::msg::dds_::Status_", usual);
+  FastDds::Reader diagnostics_ = dds_.reader("rt/diagnostics", "diagnostic_msgs::msg::dds_::DiagnosticArray_", usual);
+  FastDds::Reader given_map_ = dds_.reader("rt/robot/map", "nav_msgs::msg::dds_::OccupancyGrid_", latched);
+};
+
+int run(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "";
+  if (what == "start") {
+    const Pose2 pose = drive().truth.front().pose;
+    std::printf("%.17g %.17g %.17g\n", pose.x, pose.y, pose.theta);
+  } else if (what == "map" && argc == 3) {
+    save_map(argv[2], *PointMap2::create(wall_samples()));
+  } else if (what == "tf") {
+    Robot(false, "").drive_and_compare();
+  } else if (what == "odom" && argc == 3) {
+    Robot(true, argv[2]).drive_and_compare();
+  } else {
+    return 2;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace slamicp::dds_peer
+
+int main(int argc, char** argv) {
+  try {
+    return slamicp::dds_peer::run(argc, argv);
+  } catch (const std::exception& problem) {
+    std::printf("%s\n", problem.what());
+    return 1;
+  }
+}
