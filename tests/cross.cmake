@@ -19,12 +19,6 @@ set(SLAMICP_TEST_OPTIONS -O1)
 
 # slamicp_cross_test(PROGRAM LABEL [ARGUMENT...])
 function(slamicp_cross_test program label)
-  # Not so on ARM, where Eigen multiplies and adds in one step whatever the compiler is told: distances in the plane there
-  # are not brute force's to the last bit. docs/arm.md says what is known.
-  if(program STREQUAL "slamicp_registration_property_test" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
-    list(APPEND ARGN
-      "--gtest_filter=-InstructionSetPropertyTest.*AreExact*:MatchesPropertyTest.TenThousandScansInThePlaneAre*")
-  endif()
   add_test(NAME ${program} COMMAND ${program} ${ARGN})
   set_tests_properties(${program} PROPERTIES LABELS "${SLAMICP_CROSS_LABEL};${label}" TIMEOUT 600)
   add_dependencies(slamicp_cross_tests ${program})

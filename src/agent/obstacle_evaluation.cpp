@@ -107,13 +107,13 @@ void ObstacleEvaluation::judge(const WayAhead& way, const Fix& fix, EvaluatedObs
   const Point2 robot = fix.pose.translation();
   if ((box.centre - robot).norm() - 0.5 * std::hypot(box.width, box.depth) > reach() + options_.corridor_half_width)
     return;
-  const Matrix<2, 2> rotation = fix.pose.rotation();
+  const RigidTransform<2> T_map_robot(fix.pose);
   double least_aside = infinity;
   // A point this near to the last one looked at is neither in the corridor nor nearer to the way than another one.
   double spare = 0.0;
   Point2 looked_at = robot;
   for (const int point : it.obstacle.points) {
-    const Point2 in_map = rotation * fix.scan.in_robot[static_cast<std::size_t>(point)] + robot;
+    const Point2 in_map = T_map_robot * fix.scan.in_robot[static_cast<std::size_t>(point)];
     if (!options_.exclusion_zones.empty() && is_excluded(in_map, fix)) continue;
     if (spare > 0.0 && (in_map - looked_at).squaredNorm() < spare * spare) continue;
     const Place place = way.nearest(in_map);

@@ -17,7 +17,8 @@ std::vector<Point2> rim_of(const Picture::Ellipse& ellipse, double magnified) {
   constexpr int corners = 36;
   const double sigmas = std::sqrt(5.991465);  // 95 % of chi-squared with two degrees of freedom
   if (!ellipse.covariance.allFinite() || !is_finite<2>(ellipse.centre)) return {};
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(Eigen::Matrix2d(ellipse.covariance));
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+  eigen.computeDirect(ellipse.covariance);
   if (!(eigen.eigenvalues()[0] >= 0.0)) return {};
   const Eigen::Matrix2d axes = magnified * sigmas * eigen.eigenvectors() * eigen.eigenvalues().cwiseSqrt().asDiagonal();
   std::vector<Point2> rim;

@@ -40,8 +40,7 @@ Evidence look(const IndexedPoints<2>& map, const PlacedScan& scan, int rays, dou
   const std::size_t size = scan.points.in_robot.size();
   const std::size_t count = std::min(size, static_cast<std::size_t>(std::max(rays, 0)));
   const RayChecker checker(map, match_distance, noise);
-  const Matrix<2, 2> rotation = scan.T_map_robot.rotation();
-  const Vector<2> translation = scan.T_map_robot.translation();
+  const RigidTransform<2> T_map_robot(scan.T_map_robot);
   std::array<Sector, sectors> directions{};
   int explained = 0, beside = 0, violations = 0;
   for (std::size_t k = 0; k < count; ++k) {
@@ -50,12 +49,12 @@ Evidence look(const IndexedPoints<2>& map, const PlacedScan& scan, int rays, dou
     const Point2& from = scan.origins[laser];
     const Point2& to = scan.points.in_robot[i];
     if (!is_finite<2>(to)) continue;
-    const Point2 in_map = rotation * to + translation;
+    const Point2 in_map = T_map_robot * to;
     const RayEnd end = checker.end_of(in_map);
     const bool is_explained = end == RayEnd::explained;
     explained += is_explained;
     beside += end == RayEnd::beside;
-    violations += !is_explained && checker.passes_wall(rotation * from + translation, in_map);
+    violations += !is_explained && checker.passes_wall(T_map_robot * from, in_map);
     Sector& sector = directions[static_cast<std::size_t>(sector_of(to - from))];
     ++sector.rays;
     sector.explained += is_explained;

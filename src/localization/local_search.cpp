@@ -88,10 +88,10 @@ void LocalSearch::State::look_at_next() {
   const double heading = around.theta + next_heading * (2.0 * std::numbers::pi / headings);
   const Point2 place = around.translation() + places[next_place];
   Candidate candidate{{place.x(), place.y(), wrap_angle(heading)}, 0.0};
-  const Matrix<2, 2> rotation = candidate.pose.rotation();
+  const RigidTransform<2> T_map_robot(candidate.pose);
   const double reach2 = match_distance * match_distance;
   for (const Point2& point : some) {
-    const Neighbour nearest = map->indexed().nearest(rotation * point + place, match_distance);
+    const Neighbour nearest = map->indexed().nearest(T_map_robot * point, match_distance);
     if (nearest.found()) candidate.score += 1.0 - nearest.squared_distance / reach2;
   }
   keep(candidate);

@@ -8,10 +8,10 @@ namespace slamicp {
 
 Slide::Slide(const PointMap2& map, PointView<2> scan, const Pose2& pose, double match_distance) noexcept
     : map_(map), match_distance_(match_distance) {
-  const Matrix<2, 2> rotation = pose.rotation();
+  const RigidTransform<2> T_map_robot(pose);
   std::size_t seen = 0;
   for (const Point2& point : scan) {
-    const Point2 in_map = rotation * point + pose.translation();
+    const Point2 in_map = T_map_robot * point;
     if (!is_finite<2>(in_map) || map_.indexed().nearest(in_map, match_distance_).found()) continue;
     // Some of all where they are many: the later ones take the places of earlier ones in turn.
     unmatched_[count_ < most ? count_++ : (7 * seen) % most] = in_map;

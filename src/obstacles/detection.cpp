@@ -44,10 +44,10 @@ Footprint footprint_of(const Fix& fix, const Obstacle& obstacle) noexcept {
   Footprint footprint;
   const std::size_t points = obstacle.points.size();
   const auto count = std::min<std::size_t>(Footprint::most, points > 2 ? points - 2 : points);
-  const Matrix<2, 2> rotation = fix.pose.rotation();
+  const RigidTransform<2> T_map_robot(fix.pose);
   for (std::size_t k = 0; k < count; ++k) {
     const auto point = static_cast<std::size_t>(obstacle.points[evenly_chosen(k, count, points)]);
-    footprint.points[k] = rotation * fix.scan.in_robot[point] + fix.pose.translation();
+    footprint.points[k] = T_map_robot * fix.scan.in_robot[point];
   }
   footprint.count = static_cast<int>(count);
   return footprint;

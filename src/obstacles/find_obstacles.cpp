@@ -71,7 +71,7 @@ struct ObstacleFinder::Look {
   Look(const Fix& of, const LaserScan& by, const ObstacleOptions& options)
       : fix(of),
         scan(by),
-        rotation(of.pose.rotation()),
+        T_map_robot(of.pose),
         increment(std::abs(by.angle_increment)),
         noise(of.match.uncertainty.known ? of.match.uncertainty.range_noise : options.range_noise),
         three_sigma(3.0 * options.range_noise),
@@ -84,7 +84,7 @@ struct ObstacleFinder::Look {
   }
   Point2 origin(std::size_t i) const noexcept { return ray_origin(fix, scan, i); }
   double range(std::size_t i) const noexcept { return (fix.scan.in_robot[i] - origin(i)).norm(); }
-  Point2 in_map(const Point2& in_robot) const noexcept { return rotation * in_robot + fix.pose.translation(); }
+  Point2 in_map(const Point2& in_robot) const noexcept { return T_map_robot * in_robot; }
 
   /// The widest gap that one surface can leave between two beams, as a share of what the first one read: sin(turn) /
   /// sin(lambda - turn) for a turn from one to the next (Borges, Aldon 2004). Below 0: no surface goes so far.
@@ -122,7 +122,7 @@ struct ObstacleFinder::Look {
 
   const Fix& fix;
   const LaserScan& scan;
-  Matrix<2, 2> rotation;
+  RigidTransform<2> T_map_robot;
   double increment;
   double noise;         // of a range [m]
   double three_sigma;   // of the noise that may tear a surface [m]
@@ -167,12 +167,12 @@ void ObstacleFinder::choose_points(const Fix& fix) {
   const double far = fix.match.obstacle_distance;
   const double near = IcpResult2::stray_share * far;
   const double reach = std::max(2.0 * far, map.cells().cell_options().reach);
-  const Matrix<2, 2> rotation = fix.pose.rotation();
+  const RigidTransform<2> T_map_robot(fix.pose);
   auto next_outlier = fix.outliers().begin();
   for (const int i : fix.match.stray_indices) {
     while (next_outlier != fix.outliers().end() && *next_outlier < i) ++next_outlier;
     const bool is_outlier = next_outlier != fix.outliers().end() && *next_outlier == i;
-    const Point2 place = rotation * fix.scan.in_robot[static_cast<std::size_t>(i)] + fix.pose.translation();
+    const Point2 place = T_map_robot * fix.scan.in_robot[static_cast<std::size_t>(i)];
     const Neighbour nearest = map.nearest(place, reach);
     const double off = nearest.found() ? off_surface(map, place, nearest) : reach;
     if (off < near) continue;

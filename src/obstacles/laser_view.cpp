@@ -10,7 +10,6 @@ namespace slamicp {
 
 LaserView::LaserView(const LaserScan& scan, const Pose2& T_map_robot, double turn_rate) noexcept
     : T_laser_map_((T_map_robot * scan.T_robot_laser).inverse()),
-      rotation_(T_laser_map_.rotation()),
       first_(scan.angle_min),
       increment_(scan.angle_increment + turn_rate * scan.time_increment),
       least_(static_cast<float>(scan.range_min)),
@@ -25,7 +24,7 @@ LaserView LaserView::with(std::span<const float> ranges) const noexcept {
 
 Sight LaserView::look(const Point2& in_map, double margin, double shift, double turn) const noexcept {
   constexpr double round = 2.0 * std::numbers::pi;
-  const Point2 place = rotation_ * in_map + T_laser_map_.translation();
+  const Point2 place = T_laser_map_ * in_map;
   const double range = place.norm();
   if (ranges_.empty() || increment_ == 0.0 || range <= margin || range + margin >= most_) return Sight::unseen;
   // How many beams on; it may be a turn further round.

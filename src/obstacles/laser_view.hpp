@@ -38,8 +38,7 @@ class LaserView {
   std::span<const float> ranges() const noexcept { return ranges_; }
 
  private:
-  Pose2 T_laser_map_;
-  Matrix<2, 2> rotation_ = Matrix<2, 2>::Identity();
+  RigidTransform<2> T_laser_map_;
   double first_ = 0.0;      // direction of the first beam [rad]
   double increment_ = 0.0;  // with the robot's turn meanwhile [rad]
   float least_ = 0.0F;

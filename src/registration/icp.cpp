@@ -377,8 +377,7 @@ double Icp<D>::State::obstacle_distance(const IndexedPoints<D>& map) const noexc
 /// The nearest map point of every scan point: matches, their mean distance, and the outliers if wanted.
 template <int D>
 void Icp<D>::State::match_all(PointView<D> scan, const Outputs& wanted, bool want_outliers) {
-  const Matrix<D, D> rotation = result.pose.rotation();
-  const Point<D> translation = result.pose.translation();
+  const RigidTransform<D> T_map_robot(result.pose);
   if constexpr (D == 2)
     if (is_vectorized())
       vector_match.find_matches(
@@ -386,7 +385,7 @@ void Icp<D>::State::match_all(PointView<D> scan, const Outputs& wanted, bool wan
   const auto nearest = [&](std::size_t i) -> std::pair<Neighbour, double> {
     if constexpr (D == 2)
       if (is_vectorized()) return vector_match.match(i, result.pose);
-    const Neighbour found = correspondences.nearest(i, rotation * scan[i] + translation);
+    const Neighbour found = correspondences.nearest(i, T_map_robot * scan[i]);
     return {found, std::sqrt(found.squared_distance)};
   };
   const double inlier2 = options.max_correspondence_distance * options.max_correspondence_distance;
@@ -417,10 +416,9 @@ template <int D>
 void Icp<D>::State::find_far_points(PointView<D> scan, double threshold, std::vector<int>& indices) {
   if constexpr (D == 2)
     if (is_vectorized()) return vector_match.find_outliers(result.pose, threshold, indices);
-  const Matrix<D, D> rotation = result.pose.rotation();
-  const Point<D> translation = result.pose.translation();
+  const RigidTransform<D> T_map_robot(result.pose);
   for (std::size_t i = 0; i < scan.size(); ++i)
-    if (correspondences.finite(i) && !correspondences.closer_than(i, rotation * scan[i] + translation, threshold))
+    if (correspondences.finite(i) && !correspondences.closer_than(i, T_map_robot * scan[i], threshold))
       indices.push_back(static_cast<int>(i));
 }
 
@@ -437,13 +435,11 @@ void Icp<D>::State::hand_out(const IndexedPoints<D>& map, PointView<D> scan, con
     if (wanted.strays) find_far_points(scan, stray_distance(), result.stray_indices);
   }
 
-  const Matrix<D, D> rotation = result.pose.rotation();
-  const Point<D> translation = result.pose.translation();
-  for (std::size_t i = 0; i < result.transformed_scan.size(); ++i)
-    result.transformed_scan[i] = rotation * scan[i] + translation;
+  const RigidTransform<D> T_map_robot(result.pose);
+  for (std::size_t i = 0; i < result.transformed_scan.size(); ++i) result.transformed_scan[i] = T_map_robot * scan[i];
   if (wanted.outliers_in_map || wanted.updated_map)
     for (const int i : result.outlier_indices)
-      result.outliers_in_map.push_back(rotation * scan[static_cast<std::size_t>(i)] + translation);
+      result.outliers_in_map.push_back(T_map_robot * scan[static_cast<std::size_t>(i)]);
   if (wanted.updated_map) {
     result.updated_map.assign(map.points().begin(), map.points().end());
     result.updated_map.insert(result.updated_map.end(), result.outliers_in_map.begin(), result.outliers_in_map.end());

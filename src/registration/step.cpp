@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/step.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
+
+#include "geometry/symmetric_eigen.hpp"
 
 namespace slamicp {
 namespace {
@@ -14,12 +15,11 @@ constexpr double blind_share = 1e-5;
 /// every pair within the gate.
 template <int D, typename Use>
 void for_each_pair(const StepInput<D>& input, Correspondences<D>& correspondences, const Use& use) noexcept {
-  const Matrix<D, D> rotation = input.pose.rotation();
-  const Point<D> translation = input.pose.translation();
+  const RigidTransform<D> T_map_robot(input.pose);
   const double gate2 = input.gate * input.gate;
   for (std::size_t i = input.stride / 2; i < input.scan.size(); i += input.stride) {
     if (!correspondences.finite(i)) continue;
-    const Point<D> in_map = rotation * input.scan[i] + translation;
+    const Point<D> in_map = T_map_robot * input.scan[i];
     const Neighbour neighbour = correspondences.nearest(i, in_map);
     if (neighbour.squared_distance < gate2)
       use(input.scan[i], in_map, static_cast<std::size_t>(neighbour.index), std::sqrt(neighbour.squared_distance));
@@ -62,15 +62,15 @@ typename Pose<D>::Tangent solve(const Matrix<Pose<D>::degrees_of_freedom, Pose<D
   degenerate = false;
   Column all_held;
   if (solve_held(scaled, Column(scale.asDiagonal() * gradient), all_held)) return scale.asDiagonal() * all_held;
-  const Eigen::SelfAdjointEigenSolver<Square> eigen(scaled);
-  const double strongest = eigen.eigenvalues()[n - 1];
-  Column along = eigen.eigenvectors().transpose() * (scale.asDiagonal() * gradient);
+  const SymmetricEigen<n> eigen(scaled);
+  const double strongest = eigen.values.maxCoeff();
+  Column along = eigen.vectors.transpose() * (scale.asDiagonal() * gradient);
   for (int k = 0; k < n; ++k) {
-    const bool held = eigen.eigenvalues()[k] > blind_share * strongest;
-    along[k] = held ? along[k] / eigen.eigenvalues()[k] : 0.0;
+    const bool held = eigen.values[k] > blind_share * strongest;
+    along[k] = held ? along[k] / eigen.values[k] : 0.0;
     degenerate = degenerate || !held;
   }
-  return scale.asDiagonal() * (eigen.eigenvectors() * along);
+  return scale.asDiagonal() * (eigen.vectors * along);
 }
 
 /// The rotation that best turns the scatter's source directions into its target's (Kabsch 1976), and whether the

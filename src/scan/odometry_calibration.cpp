@@ -1,42 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cmath>
 
 #include <slamicp/error.hpp>
 #include <slamicp/scan/odometry_calibration.hpp>
 
+#include "geometry/symmetric_eigen.hpp"
+
 namespace slamicp {
 namespace {
 
-using Parameters = Eigen::VectorXd;
-
-Parameters parameters_of(const DifferentialDrive& drive) {
-  return Eigen::Vector3d(drive.left_radius, drive.right_radius, drive.wheel_distance);
+Vector<3> parameters_of(const DifferentialDrive& drive) {
+  return {drive.left_radius, drive.right_radius, drive.wheel_distance};
 }
-DifferentialDrive with(DifferentialDrive drive, const Parameters& p) {
+DifferentialDrive with(DifferentialDrive drive, const Vector<3>& p) {
   drive.left_radius = p[0];
   drive.right_radius = p[1];
   drive.wheel_distance = p[2];
   return drive;
 }
 
-Parameters parameters_of(const OmniDrive& drive) {
-  return Eigen::Vector4d(drive.radii[0], drive.radii[1], drive.radii[2], drive.base_radius);
+Vector<4> parameters_of(const OmniDrive& drive) {
+  return {drive.radii[0], drive.radii[1], drive.radii[2], drive.base_radius};
 }
-OmniDrive with(OmniDrive drive, const Parameters& p) {
+OmniDrive with(OmniDrive drive, const Vector<4>& p) {
   drive.radii = {p[0], p[1], p[2]};
   drive.base_radius = p[3];
   return drive;
 }
 
-Parameters parameters_of(const OdometryScale& scale) {
-  return Eigen::Vector3d(scale.translation, scale.rotation, scale.drift_per_metre);
+Vector<3> parameters_of(const OdometryScale& scale) {
+  return {scale.translation, scale.rotation, scale.drift_per_metre};
 }
-OdometryScale with(OdometryScale, const Parameters& p) { return {p[0], p[1], p[2]}; }
+OdometryScale with(OdometryScale, const Vector<3>& p) { return {p[0], p[1], p[2]}; }
 
 template <class Model, class Reading>
 class Fit {
+  using Parameters = decltype(parameters_of(Model()));
+  static constexpr int n = Parameters::RowsAtCompileTime;
+
  public:
   Fit(const Model& nominal, std::span<const DriveStretch<Reading>> stretches, const CalibrationOptions& options)
       : nominal_(nominal),
@@ -47,21 +49,20 @@ class Fit {
     OdometryCalibration<Model> result;
     Parameters p = parameters_of(nominal_);
     result.model = nominal_;
-    result.sigmas.assign(static_cast<std::size_t>(p.size()), INFINITY);
+    result.sigmas.assign(n, INFINITY);
     result.rms_before = result.rms_after = rms(p);
     const auto residuals = static_cast<double>(3 * stretches_.size());
-    if (residuals <= static_cast<double>(p.size())) return result;
+    if (residuals <= n) return result;
     for (int step = 0; step < steps; ++step) {
       linearize(p);
       if (!is_determined()) return result;
-      p += information_.ldlt().solve(gradient_);
+      p += information_.inverse() * gradient_;
       if (!p.allFinite() || !with(nominal_, p).problem().empty()) return result;
     }
     linearize(p);
-    const double variance = squares_ / (residuals - static_cast<double>(p.size()));
-    const Eigen::MatrixXd covariance = variance * information_.inverse();
-    for (Eigen::Index k = 0; k < p.size(); ++k)
-      result.sigmas[static_cast<std::size_t>(k)] = std::sqrt(covariance(k, k));
+    const double variance = squares_ / (residuals - n);
+    const Information covariance = variance * information_.inverse();
+    for (int k = 0; k < n; ++k) result.sigmas[static_cast<std::size_t>(k)] = std::sqrt(covariance(k, k));
     result.model = with(nominal_, p);
     result.rms_after = rms(p);
     result.determined = true;
@@ -69,6 +70,7 @@ class Fit {
   }
 
  private:
+  using Information = Eigen::Matrix<double, n, n>;
   static constexpr int steps = 8;
 
   Pose2::Tangent off(const DriveStretch<Reading>& stretch, const Parameters& p) const {
@@ -86,14 +88,13 @@ class Fit {
 
   /// Normal equations around `p`; derivatives by central differences, as the models are smooth and the fit is rare.
   void linearize(const Parameters& p) {
-    const Eigen::Index n = p.size();
-    information_ = Eigen::MatrixXd::Zero(n, n);
-    gradient_ = Eigen::VectorXd::Zero(n);
+    information_.setZero();
+    gradient_.setZero();
     squares_ = 0.0;
     for (const auto& stretch : stretches_) {
       const Eigen::Vector3d residual = weights_.cwiseProduct(off(stretch, p));
-      Eigen::Matrix3Xd jacobian(3, n);
-      for (Eigen::Index k = 0; k < n; ++k) {
+      Eigen::Matrix<double, 3, n> jacobian;
+      for (int k = 0; k < n; ++k) {
         const double h = 1e-6 * std::max(1.0, std::abs(p[k]));
         Parameters up = p, down = p;
         up[k] += h;
@@ -108,18 +109,18 @@ class Fit {
 
   /// Whether every combination of parameters shows: scaled, so that a radius and a distance compare.
   bool is_determined() const {
-    const Eigen::VectorXd diagonal = information_.diagonal();
+    const Parameters diagonal = information_.diagonal();
     if (!(diagonal.minCoeff() > 0.0)) return false;
-    const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
-    const Eigen::MatrixXd scaled = scale.asDiagonal() * information_ * scale.asDiagonal();
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0] > 1e-6;
+    const Parameters scale = diagonal.cwiseSqrt().cwiseInverse();
+    const Information scaled = scale.asDiagonal() * information_ * scale.asDiagonal();
+    return SymmetricEigen<n>(scaled).values.minCoeff() > 1e-6;
   }
 
   const Model& nominal_;
   std::span<const DriveStretch<Reading>> stretches_;
   Eigen::Vector3d weights_;
-  Eigen::MatrixXd information_;
-  Eigen::VectorXd gradient_;
+  Information information_ = Information::Zero();
+  Parameters gradient_ = Parameters::Zero();
   double squares_ = 0.0;
 };
 

@@ -60,14 +60,13 @@ void ScanProjector::append(const LaserScan& scan, const RangeFilter& filter, con
   const std::size_t most = points.in_robot.size() + scan.ranges.size();
   points.in_robot.reserve(most);
   points.beams.reserve(most);
-  const Matrix<2, 2> rotation = scan.T_robot_laser.rotation();
-  const Point2 translation = scan.T_robot_laser.translation();
+  const RigidTransform<2> T_robot_laser(scan.T_robot_laser);
   RobotAtBeam robot(motion, scan.ranges.size());
   for (std::size_t i = 0; i < scan.ranges.size(); ++i, robot.next()) {
     const float reading = scan.ranges[i];
     const double range = static_cast<double>(reading);
     if (!is_return(scan, reading) || range < filter.min_range || range >= filter.max_range) continue;
-    points.in_robot.push_back(robot * (rotation * (range * directions_[i]) + translation));
+    points.in_robot.push_back(robot * (T_robot_laser * Point2(range * directions_[i])));
     points.beams.push_back(static_cast<int>(i));
   }
 }

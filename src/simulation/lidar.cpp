@@ -215,18 +215,15 @@ void true_ranges(const World& world, const Pose2& T_map_laser, const Pose2& T_fi
     throw Error("the laser moves by " + to_string(T_first_last) + " during a sweep", "true_ranges",
                 "a sweep of a slower robot, or of a faster laser: less than 1 m, 1 rad and half of what it sweeps");
   Fan fan(lidar, T_first_last, ranges);
-  const Pose2 T_laser_map = T_map_laser.inverse();
-  const Matrix<2, 2> rotation = T_laser_map.rotation();
-  const Point2 translation = T_laser_map.translation();
-  const auto in_laser = [&](const Point2& point) -> Point2 { return rotation * point + translation; };
-  const auto meet_segment = [&](const Segment& wall) { fan.meet({in_laser(wall.a), in_laser(wall.b)}); };
+  const RigidTransform<2> T_laser_map(T_map_laser.inverse());
+  const auto meet_segment = [&](const Segment& wall) { fan.meet({T_laser_map * wall.a, T_laser_map * wall.b}); };
 
   for (const Segment& wall : world.walls) meet_segment(wall);
-  for (const Circle& pillar : world.pillars) fan.meet(in_laser(pillar.centre), pillar.radius);
+  for (const Circle& pillar : world.pillars) fan.meet(T_laser_map * pillar.centre, pillar.radius);
   for (const PlacedObstacle& obstacle : world.obstacles) {
     for (const Box& box : obstacle.boxes)
       for (const Segment& side : sides(box)) meet_segment(side);
-    for (const Cylinder& cylinder : obstacle.cylinders) fan.meet(in_laser(cylinder.centre), cylinder.radius);
+    for (const Cylinder& cylinder : obstacle.cylinders) fan.meet(T_laser_map * cylinder.centre, cylinder.radius);
   }
   for (const Door& door : world.doors)
     for (const Segment& side : sides(leaf(door, door.opening))) meet_segment(side);
@@ -234,7 +231,7 @@ void true_ranges(const World& world, const Pose2& T_map_laser, const Pose2& T_fi
     const PersonOutline first = outline_at(person, stamp);
     const PersonOutline last = outline_at(person, stamp + lidar.sweep_time);
     for (std::size_t k = 0; k < first.count; ++k)
-      fan.meet(in_laser(first.centres[k]), in_laser(last.centres[k]), first.radius);
+      fan.meet(T_laser_map * first.centres[k], T_laser_map * last.centres[k], first.radius);
   }
 }
 

@@ -76,6 +76,26 @@ struct Pose<3> {
 using Pose2 = Pose<2>;
 using Pose3 = Pose<3>;
 
+/// A pose at hand for many points: `transform * point` is `pose * point`, with sine and cosine taken once.
+template <int D>
+struct RigidTransform {
+  Matrix<D, D> rotation;
+  Point<D> translation;
+
+  explicit RigidTransform(const Pose<D>& pose = {}) noexcept
+      : rotation(pose.rotation()), translation(pose.translation()) {}
+
+  /// In the plane it is spelled out: to the last bit what the pose says, where Eigen would multiply and add in one step
+  /// on those processors that can.
+  Point<D> operator*(const Point<D>& point) const noexcept {
+    if constexpr (D == 2)
+      return {rotation(0, 0) * point.x() + rotation(0, 1) * point.y() + translation.x(),
+              rotation(1, 0) * point.x() + rotation(1, 1) * point.y() + translation.y()};
+    else
+      return rotation * point + translation;
+  }
+};
+
 /// How far apart two poses are: metres and radians, both >= 0.
 struct PoseDistance {
   double translation = 0.0;  ///< [m]

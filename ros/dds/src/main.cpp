@@ -21,7 +21,20 @@ void print_parameters() {
                 each.unit.empty() ? "" : " ", each.unit.c_str(), each.meaning.c_str());
 }
 
+constexpr const char* usage = R"(slamicp_dds: where a robot is in its map, for ROS 2 machines, over DDS.
+
+  slamicp_dds [--ros-args] [-p NAME:=VALUE]... [--params-file FILE.yaml]... [-r FROM:=TO]...
+  slamicp_dds --parameters    all parameters, with what they mean
+  slamicp_dds --help
+
+-r __node:=NAME and -r __ns:=/SPACE name the node. The domain is that of ROS_DOMAIN_ID, or 0. More in docs/ros.md.
+)";
+
 void run(const std::vector<std::string>& words) {
+  if (!words.empty() && (words[0] == "help" || words[0] == "--help" || words[0] == "-h")) {
+    std::fputs(usage, stdout);
+    return;
+  }
   Arguments arguments = arguments_from(words);
   if (arguments.print_parameters) {
     print_parameters();
