@@ -14,19 +14,14 @@ inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double pi = std::numbers::pi;
 
-// GCC says by macros what clang says by features.
-#if !defined(__has_feature)
-#define __has_feature(feature) 0
-#endif
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__) || __has_feature(thread_sanitizer) || \
-    __has_feature(address_sanitizer)
-inline constexpr std::uint64_t seeds_left_out = 8;
+/// How many seeds to try a property with: fewer where each takes ten times as long, as under a sanitizer.
+constexpr std::uint64_t seeds(std::uint64_t all) noexcept {
+#ifdef SLAMICP_FEWER_SEEDS
+  return (all + 7) / 8;
 #else
-inline constexpr std::uint64_t seeds_left_out = 1;
+  return all;
 #endif
-
-/// How many seeds to try a property with: fewer under a sanitizer, where each takes ten times as long.
-constexpr std::uint64_t seeds(std::uint64_t all) noexcept { return (all + seeds_left_out - 1) / seeds_left_out; }
+}
 
 /// Seeded numbers for a test: the seed goes into SCOPED_TRACE, so that a failure can be repeated.
 class Random {
