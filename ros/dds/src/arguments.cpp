@@ -83,13 +83,20 @@ void set_parameter(const std::string& word, Arguments& arguments) {
   }
 }
 
+/// "/robot" of "robot/" too.
+std::string space_from(const std::string& text) {
+  const std::string space = text.front() == '/' ? text : '/' + text;
+  const std::size_t last = space.find_last_not_of('/');
+  return last == std::string::npos ? "/" : space.substr(0, last + 1);
+}
+
 void remap(const std::string& word, Arguments& arguments) {
   const auto [from, to] = parts_of(word);
   if (to.empty()) throw Error("'" + word + "' names nothing", "command line");
   if (from == "__node" || from == "__name")
     arguments.names.node = to;
   else if (from == "__ns")
-    arguments.names.space = to.front() == '/' ? to : '/' + to;
+    arguments.names.space = space_from(to);
   else
     arguments.names.remapped.emplace_back(from, to);
 }

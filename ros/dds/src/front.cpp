@@ -11,7 +11,7 @@ double seconds() { return std::chrono::duration<double>(std::chrono::steady_cloc
 
 }  // namespace
 
-Front::Front(const NodeOptions& options, const Names& names, bool use_sim_time, std::uint32_t domain)
+Front::Front(const NodeOptions& options, const Names& names, bool use_sim_time, std::uint32_t domain, Spelling spelling)
     : options_(options),
       name_(names.node),
       node_(options, use_sim_time, seconds),
@@ -19,6 +19,10 @@ Front::Front(const NodeOptions& options, const Names& names, bool use_sim_time, 
       publications_(options, names, participant_),
       has_map_(!options.map_file.empty()) {
   subscribe(names, use_sim_time);
+  announce(names, spelling, participant_);
+  const bool is_old = spelling == Spelling::until_humble;
+  tell("INFO", "node " + names.whole() + ", listed as " +
+                   (is_old ? "Humble reads it" : "Iron and later read it (ROS_DISTRO=humble: as Humble does)"));
 }
 
 void Front::subscribe(const Names& names, bool use_sim_time) {
@@ -83,8 +87,8 @@ void Front::now_and_then() {
   if (passed < next_second_) return;
   next_second_ = passed + 1.0;
   publish_state();
-  for (const std::string& topic : participant_.unheard())
-    tell("WARN", topic + ": somebody publishes it with less than we ask for (reliable, or latched), and is not heard");
+  for (const auto& [topic, promised, wanted] : participant_.unheard())
+    tell("WARN", topic + ": somebody publishes it " + promised + ", and is not heard: it must be " + wanted);
 }
 
 void Front::publish_state() {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "announcement.hpp"
 #include "conversions.hpp"
 #include "names.hpp"
 #include "participant.hpp"
@@ -16,7 +17,7 @@ namespace slamicp::node {
 /// The node's topics as ROS 2 has them over DDS. All in one thread but DDS's own.
 class Front {
  public:
-  Front(const NodeOptions& options, const Names& names, bool use_sim_time, std::uint32_t domain);
+  Front(const NodeOptions& options, const Names& names, bool use_sim_time, std::uint32_t domain, Spelling spelling);
 
   /// Until `stopped` is set.
   void spin(const volatile std::sig_atomic_t& stopped);

@@ -45,7 +45,9 @@ void run(const std::vector<std::string>& words) {
     std::fprintf(stderr, "[WARN] [%s]: %s\n", arguments.names.node.c_str(), warning.c_str());
   std::signal(SIGINT, stop);
   std::signal(SIGTERM, stop);
-  Front(options, arguments.names, arguments.use_sim_time, domain_from(std::getenv("ROS_DOMAIN_ID"))).spin(stopped);
+  Front(options, arguments.names, arguments.use_sim_time, domain_from(std::getenv("ROS_DOMAIN_ID")),
+        spelling_from(std::getenv("ROS_DISTRO")))
+      .spin(stopped);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <dds/dds.h>
 #include <string>
@@ -31,16 +32,28 @@ class Participant {
   /// @param topic  absolute, as ROS 2 names it: "/scan"
   dds_entity_t reader(const dds_topic_descriptor_t& type, const std::string& topic, const Quality& quality);
   dds_entity_t writer(const dds_topic_descriptor_t& type, const std::string& topic, const Quality& quality);
+  /// One of a topic that is none of ROS 2's: its name goes out as it stands.
+  dds_entity_t plain_writer(const dds_topic_descriptor_t& type, const std::string& topic, const Quality& quality);
   /// Until a message has come for a reader, or so long.
   void wait(double seconds);
-  /// Topics whose writers promise less than we ask for, since the last call.
-  std::vector<std::string> unheard() const;
+  /// Topics whose writers promise less than we ask for, since the last call, and what it is.
+  struct Unheard {
+    std::string topic, promised, wanted;
+  };
+  std::vector<Unheard> unheard() const;
+
+  using Guid = std::array<std::uint8_t, 16>;
+  /// Who it is on the wire, and who its readers and writers of ROS 2's topics are.
+  Guid guid() const;
+  std::vector<Guid> readers() const;
+  std::vector<Guid> writers() const;
 
  private:
   dds_entity_t topic_of(const dds_topic_descriptor_t& type, const std::string& topic);
 
   dds_entity_t participant_;
   dds_entity_t waitset_;
+  std::vector<dds_entity_t> writers_;
   struct Reader {
     dds_entity_t reader;
     std::string topic;

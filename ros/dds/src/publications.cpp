@@ -5,21 +5,12 @@
 #include <slamicp_node/marker.hpp>
 
 #include "conversions.hpp"
+#include "lend.hpp"
 
-// A message borrows its texts and lists: dds_write has copied all of it when it returns. DDS's C structs have no const.
 namespace slamicp::node {
 namespace {
 
-char* lend(const std::string& text) { return const_cast<char*>(text.c_str()); }
-char* lend(const char* text) { return const_cast<char*>(text); }
-
 char nothing[] = "";
-
-template <class Sequence, class Element>
-void lend(const std::vector<Element>& list, Sequence& sequence) {
-  sequence._maximum = sequence._length = static_cast<std::uint32_t>(list.size());
-  sequence._buffer = const_cast<Element*>(list.data());
-}
 
 /// The same as bytes.
 template <class Sequence, class Element>

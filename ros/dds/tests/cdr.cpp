@@ -78,6 +78,24 @@ node::Transform read_transform(In& in) {
   return transform;
 }
 
+Guid read_guid(In& in, int size) {
+  Guid guid;
+  for (int k = 0; k < size; ++k) {
+    const auto byte = in.take<std::uint8_t>();
+    if (k < 16)
+      guid[static_cast<std::size_t>(k)] = byte;
+    else if (byte != 0)
+      throw std::runtime_error("an identity that does not end with zeros");
+  }
+  return guid;
+}
+
+std::vector<Guid> read_guids(In& in, int size) {
+  std::vector<Guid> guids(in.take<std::uint32_t>());
+  for (Guid& each : guids) each = read_guid(in, size);
+  return guids;
+}
+
 DrawnMarker read_marker(In& in) {
   DrawnMarker marker;
   in.take<node::Stamp>();
@@ -254,6 +272,18 @@ std::vector<Diagnostics> read_diagnostics(Bytes message) {
   }
   in.end();
   return all;
+}
+
+Announcement read_announcement(Bytes message, int gid_size) {
+  In in(message);
+  Announcement told;
+  told.participant = read_guid(in, gid_size);
+  if (in.take<std::uint32_t>() != 1) throw std::runtime_error("not one node in an announcement");
+  in >> told.space >> told.name;
+  told.readers = read_guids(in, gid_size);
+  told.writers = read_guids(in, gid_size);
+  in.end();
+  return told;
 }
 
 }  // namespace slamicp::dds_peer

@@ -52,6 +52,13 @@ struct Diagnostics {
   std::vector<std::pair<std::string, std::string>> values;
 };
 
+/// Who is who: rmw_dds_common/ParticipantEntitiesInfo
+struct Announcement {
+  Guid participant;
+  std::string space, name;  ///< of its only node
+  std::vector<Guid> readers, writers;
+};
+
 std::vector<node::Transform> read_transforms(Bytes message);
 Pose read_pose(Bytes message);
 Cloud read_cloud(Bytes message);
@@ -60,5 +67,7 @@ Obstacles read_obstacles(Bytes message);
 Status read_status(Bytes message);
 node::Grid read_grid(Bytes message);
 std::vector<Diagnostics> read_diagnostics(Bytes message);
+/// @param gid_size  24 until Humble, 16 from Iron on
+Announcement read_announcement(Bytes message, int gid_size);
 
 }  // namespace slamicp::dds_peer

@@ -16,7 +16,8 @@ def enter_own_network():
     if os.environ.get("SLAMICP_OWN_NETWORK") == "1":
         return
     os.environ.update(SLAMICP_OWN_NETWORK="1", ROS_DOMAIN_ID="42", PATH="/usr/sbin:/usr/bin:/sbin:/bin")
-    os.environ.pop("CYCLONEDDS_URI", None)
+    for name in ("CYCLONEDDS_URI", "ROS_DISTRO"):
+        os.environ.pop(name, None)
     words = ["unshare", "--net"] + ([] if os.geteuid() == 0 else ["--map-root-user"])
     up = 'ip link set lo up && ip link set lo multicast on && ip route add 224.0.0.0/4 dev lo && exec "$@"'
     os.execvp(words[0], [*words, "sh", "-c", up, "_", sys.executable, "-B", *sys.argv])
@@ -31,14 +32,25 @@ class DdsTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def start(self, *words):
-        process = subprocess.Popen([NODE, "--ros-args", *map(str, words)])
+    def start(self, *words, **environment):
+        log = open(self.folder / "log", "w+")
+        process = subprocess.Popen([NODE, "--ros-args", *map(str, words)], stderr=log,
+                                   env={**os.environ, **environment})
 
         def stop():
             process.terminate()
             self.assertEqual(process.wait(60), 0, "it ends when it is asked to")
+            log.close()
         self.addCleanup(stop)
         return process
+
+    def log(self):
+        return (self.folder / "log").read_text()
+
+    def start_at_start(self, *words):
+        x, y, theta = self.peer("start").split()
+        return self.start("-p", "odometry_wait:=10.0", "-p", "scan_timeout:=1000", "-p", f"initial_pose_x:={x}",
+                          "-p", f"initial_pose_y:={y}", "-p", f"initial_pose_a:={theta}", *words)
 
     def peer(self, *words):
         told = subprocess.run([PEER, *map(str, words)], capture_output=True, text=True, timeout=240)
@@ -52,9 +64,7 @@ class DdsTest(unittest.TestCase):
         return told.stderr
 
     def test_map_tf_and_scans_in_poses_tf_and_clouds_out(self):
-        x, y, theta = self.peer("start").split()
-        node = self.start("-p", "odometry_wait:=10.0", "-p", "scan_timeout:=1000", "-p", f"initial_pose_x:={x}",
-                          "-p", f"initial_pose_y:={y}", "-p", f"initial_pose_a:={theta}")
+        node = self.start_at_start()
         self.assertIn("agree: 100 scans", self.peer("tf"))
         self.assertIsNone(node.poll(), "the node is alive")
 
@@ -76,10 +86,24 @@ class DdsTest(unittest.TestCase):
             another:
               ros__parameters: {{max_iterations: 1, what_nobody_knows: 3}}
         """)
-        node = self.start("--params-file", parameters, "-r", "__node:=localization", "-r", "__ns:=/robot", "-r",
-                          "front:=scan")
+        node = self.start("--params-file", parameters, "-r", "__node:=localization", "-r", "__ns:=/robot/", "-r",
+                          "front:=scan", ROS_DISTRO="humble")
         self.assertIn("agree: 100 scans", self.peer("odom", self.folder / "room.pcd"))
         self.assertIsNone(node.poll(), "the node is alive")
+
+    def test_two_lasers(self):
+        self.start_at_start("-p", "scan_topics:=[front, back]")
+        self.assertIn("agree: 30 scans", self.peer("lasers"))
+
+    def test_mapping(self):
+        self.start_at_start("-p", "mode:=mapping", "-p", "map_update_interval:=0.1")
+        self.assertIn("agree: 30 scans", self.peer("mapping"))
+
+    def test_who_promises_less_is_not_heard_and_told_of(self):
+        self.start()
+        self.peer("lesser")
+        self.assertRegex(self.log(), "/tf: somebody publishes it best effort, and is not heard: .* reliable")
+        self.assertRegex(self.log(), "/map: somebody publishes it volatile, and is not heard: .* transient local")
 
     def test_what_it_does_not_know_is_refused(self):
         self.assertIn("'odom_frame_id'", self.refused("-p", "odom_frame:=odom"), "the nearest name")

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
@@ -15,6 +17,7 @@
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <map>
+#include <mutex>
 #include <stdexcept>
 
 namespace slamicp::dds_peer {
@@ -67,7 +70,34 @@ Entity* made(Entity* entity, const std::string& what) {
   return entity;
 }
 
+Guid guid_of(const rtps::InstanceHandle_t& handle) {
+  const rtps::GUID_t guid = rtps::iHandle2GUID(handle);
+  Guid bytes;
+  std::copy_n(guid.guidPrefix.value, guid.guidPrefix.size, bytes.begin());
+  std::copy_n(guid.entityId.value, guid.entityId.size, bytes.begin() + guid.guidPrefix.size);
+  return bytes;
+}
+
 }  // namespace
+
+/// What others say of themselves.
+class Acquaintances : public dds::DomainParticipantListener {
+ public:
+  void on_participant_discovery(dds::DomainParticipant* /*we*/, rtps::ParticipantDiscoveryInfo&& found) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    user_data_[guid_of(rtps::InstanceHandle_t(found.info.m_guid))].assign(found.info.m_userData.begin(),
+                                                                          found.info.m_userData.end());
+  }
+  std::string user_data(const Guid& participant) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = user_data_.find(participant);
+    return found == user_data_.end() ? "" : found->second;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<Guid, std::string> user_data_;
+};
 
 struct FastDds::State {
   explicit State(std::uint32_t domain) {
@@ -75,7 +105,9 @@ struct FastDds::State {
     qos.name("slamicp_dds_peer");
     qos.transport().use_builtin_transports = false;  // the network alone, no shared memory
     qos.transport().user_transports.push_back(std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>());
-    participant = made(dds::DomainParticipantFactory::get_instance()->create_participant(domain, qos), "participant");
+    participant = made(dds::DomainParticipantFactory::get_instance()->create_participant(domain, qos, &acquaintances,
+                                                                                         dds::StatusMask::none()),
+                       "participant");
     publisher = made(participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT), "publisher");
     subscriber = made(participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT), "subscriber");
   }
@@ -94,6 +126,7 @@ struct FastDds::State {
     return topic = made(participant->create_topic(name, type, dds::TOPIC_QOS_DEFAULT), name);
   }
 
+  Acquaintances acquaintances;
   dds::DomainParticipant* participant = nullptr;
   dds::Publisher* publisher = nullptr;
   dds::Subscriber* subscriber = nullptr;
@@ -119,6 +152,8 @@ FastDds::Reader FastDds::reader(const std::string& topic, const std::string& typ
   return reader;
 }
 
+std::string FastDds::user_data(const Guid& participant) const { return state_->acquaintances.user_data(participant); }
+
 void FastDds::Writer::write(const Bytes& message) const {
   Bytes copy = message;
   if (!static_cast<dds::DataWriter*>(writer_)->write(&copy)) throw std::runtime_error("Fast DDS does not write");
@@ -134,6 +169,18 @@ int FastDds::Reader::speakers() const {
   dds::SubscriptionMatchedStatus status;
   static_cast<dds::DataReader*>(reader_)->get_subscription_matched_status(status);
   return status.current_count;
+}
+
+Guid FastDds::Writer::listener() const {
+  dds::PublicationMatchedStatus status;
+  static_cast<dds::DataWriter*>(writer_)->get_publication_matched_status(status);
+  return guid_of(status.last_subscription_handle);
+}
+
+Guid FastDds::Reader::speaker() const {
+  dds::SubscriptionMatchedStatus status;
+  static_cast<dds::DataReader*>(reader_)->get_subscription_matched_status(status);
+  return guid_of(status.last_publication_handle);
 }
 
 bool FastDds::Reader::take(Bytes& message) const {

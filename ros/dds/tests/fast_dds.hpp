@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -10,6 +11,7 @@
 namespace slamicp::dds_peer {
 
 using Bytes = std::vector<char>;  // a message in CDR, with its first four bytes
+using Guid = std::array<std::uint8_t, 16>;
 
 struct Quality {
   bool reliable = true, latched = false;
@@ -27,6 +29,8 @@ class FastDds {
   /// @param type   "sensor_msgs::msg::dds_::LaserScan_"
   Writer writer(const std::string& topic, const std::string& type, const Quality& quality);
   Reader reader(const std::string& topic, const std::string& type, const Quality& quality);
+  /// What a participant that was discovered says of itself; empty: it is not known.
+  std::string user_data(const Guid& participant) const;
 
  private:
   struct State;
@@ -37,6 +41,8 @@ class FastDds::Writer {
  public:
   void write(const Bytes& message) const;
   bool is_heard() const;
+  /// The reader that came last.
+  Guid listener() const;
 
  private:
   friend class FastDds;
@@ -49,6 +55,8 @@ class FastDds::Reader {
   bool take(Bytes& message) const;
   /// How many writers it hears; on a topic that we write, ourselves too.
   int speakers() const;
+  /// The writer that came last.
+  Guid speaker() const;
 
  private:
   friend class FastDds;

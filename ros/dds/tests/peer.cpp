@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// slamicp_dds_peer start | map FILE | tf | odom FILE: a simulated robot that speaks Fast DDS, in ROS_DOMAIN_ID.
+// slamicp_dds_peer WHAT: a simulated robot that speaks Fast DDS, in ROS_DOMAIN_ID.
 //   start      where the robot starts in the map: x y theta
 //   map FILE   writes the map
 //   tf         gives map, tf and scans, and hears what slamicp_dds says of them
 //   odom FILE  gives the clock, odometry, a first pose and scans in namespace /robot; the node has the map FILE
-// The last two hold every word of the node against slamicp::node_core in this process, which is given the same
+//   lasers     as tf, with two lasers
+//   mapping    as tf, without a map: hears the one that the node makes
+//   lesser     gives tf and a map with less than ROS 2 gives: the node must not hear them
+// All but the last hold every word of the node against slamicp::node_core in this process, which is given the same
 // messages.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -31,7 +35,6 @@ namespace {
 
 using node::Stamp;
 
-constexpr int scans_sent = 100;
 constexpr Stamp before{999500000000};  // the first scan
 
 /// A room of 12 m x 8 m with a thing or two in it.
@@ -85,11 +88,17 @@ node::Transform transform(double stamp, const std::string& frame, const std::str
   return {Stamp::from_seconds(stamp), frame, child, {pose.x, pose.y, 0.0}, node::turn_by(pose.theta)};
 }
 
-node::Scan message_of(const LaserScan& scan) {
+/// Of a laser that sits turned by so much in the robot's middle, and sees what the simulated one sees.
+struct Laser {
+  std::string topic, frame;
+  double turn = 0.0;  // [rad]
+};
+
+node::Scan message_of(const LaserScan& scan, const Laser& laser) {
   node::Scan message;
   message.stamp = Stamp::from_seconds(scan.stamp);
-  message.frame = "laser";
-  message.angle_min = static_cast<float>(scan.angle_min);
+  message.frame = laser.frame;
+  message.angle_min = static_cast<float>(scan.angle_min - laser.turn);
   message.angle_increment = static_cast<float>(scan.angle_increment);
   message.time_increment = static_cast<float>(scan.time_increment);
   message.range_min = 0.1F;
@@ -122,30 +131,48 @@ void wait_for(const Ready& ready, const std::string& what) {
   }
 }
 
+std::uint32_t domain() { return static_cast<std::uint32_t>(std::atoi(std::getenv("ROS_DOMAIN_ID"))); }
+
+/// How a robot differs from one that gives tf, a map and the scans of one laser.
+struct Setup {
+  int scans = 30;
+  std::string odometry_map = {};  // a file: in namespace /robot, with odometry by topic and this map
+  std::vector<Laser> lasers = {{"scan", "laser"}};
+  bool is_mapping = false;
+};
+
 class Robot {
  public:
-  Robot(bool has_odometry_topic, const std::string& map_file)
-      : has_odometry_topic_(has_odometry_topic),
-        space_(has_odometry_topic ? "rt/robot/" : "rt/"),
-        dds_(static_cast<std::uint32_t>(std::atoi(std::getenv("ROS_DOMAIN_ID")))),
+  explicit Robot(const Setup& setup)
+      : setup_(setup),
+        has_odometry_topic_(!setup.odometry_map.empty()),
+        space_(has_odometry_topic_ ? "rt/robot/" : "rt/"),
+        dds_(domain()),
         run_(drive()),
-        node_(options(has_odometry_topic, run_, map_file), has_odometry_topic) {}
+        node_(options(setup, run_), has_odometry_topic_) {
+    for (const Laser& laser : setup.lasers)
+      scans_.push_back(dds_.writer(space_ + laser.topic, "sensor_msgs::msg::dds_::LaserScan_", sensor_data));
+  }
 
   void drive_and_compare() {
     greet();
-    for (int k = 0; k < scans_sent; ++k) compare(send(run_.scans[static_cast<std::size_t>(k)]), k);
-    compare_rest();
-    std::printf("agree: %d scans, %zu outliers and %zu obstacles in all\n", scans_sent, outliers_in_all_,
+    for (int k = 0; k < setup_.scans; ++k) compare(send(static_cast<std::size_t>(k)), k);
+    compare_diagnostics();
+    compare_announcement();
+    if (has_odometry_topic_ || setup_.is_mapping) compare_map();
+    std::printf("agree: %d scans, %zu outliers and %zu obstacles in all\n", setup_.scans, outliers_in_all_,
                 obstacles_in_all_);
   }
 
  private:
-  static node::NodeOptions options(bool has_odometry_topic, const SimulatedRun& run, const std::string& map_file) {
+  static node::NodeOptions options(const Setup& setup, const SimulatedRun& run) {
     node::NodeOptions chosen;
     chosen.odometry_wait = 10.0;
-    chosen.map_file = map_file;
-    chosen.wait_for_initial_pose = has_odometry_topic;
-    if (has_odometry_topic) {
+    chosen.map_file = setup.odometry_map;
+    chosen.wait_for_initial_pose = !setup.odometry_map.empty();
+    chosen.scan_topics.assign(setup.lasers.size(), "");
+    if (setup.is_mapping) chosen.mode = "mapping";
+    if (!setup.odometry_map.empty()) {
       chosen.odom_topic = "odom";
     } else {
       chosen.initial_pose_x = run.truth.front().pose.x;
@@ -157,9 +184,11 @@ class Robot {
 
   /// Until the node has all that it needs for scans, and both know each other's topics.
   void greet() {
-    const std::vector<node::Transform> mount{transform(0.0, "base_link", "laser", {})};
-    mount_.write(transforms_message(mount));
-    node_.take_transform(mount.front(), true);
+    std::vector<node::Transform> mounts;
+    for (const Laser& each : setup_.lasers)
+      mounts.push_back(transform(0.0, "base_link", each.frame, {0.0, 0.0, each.turn}));
+    mount_.write(transforms_message(mounts));
+    for (const node::Transform& each : mounts) node_.take_transform(each, true);
     std::string problem;
     if (has_odometry_topic_) {
       wait_for([&] { return hears_state("waiting_for_pose", [&] { clock_.write(clock_message(before)); }); },
@@ -169,6 +198,8 @@ class Robot {
       must(node_.take_pose(pose, problem), problem);
       wait_for([&] { return hears_state("waiting_for_scan", [&] { given_pose_.write(given_pose_message(pose)); }); },
                "waiting_for_scan");
+    } else if (setup_.is_mapping) {
+      wait_for([&] { return hears_state("waiting_for_scan", [] {}); }, "waiting_for_scan");
     } else {
       const node::Grid grid = map_grid();
       map_.write(grid_message(grid));
@@ -179,7 +210,9 @@ class Robot {
         [&] {
           const bool hears_all = pose_.speakers() > 0 && outliers_.speakers() > 0 && inliers_.speakers() > 0 &&
                                  obstacles_.speakers() > 0 && markers_.speakers() > 0 && tf_out_.speakers() > 1;
-          return hears_all && scan_.is_heard() && (has_odometry_topic_ ? odometry_ : tf_).is_heard();
+          return hears_all &&
+                 std::all_of(scans_.begin(), scans_.end(), [](const auto& each) { return each.is_heard(); }) &&
+                 (has_odometry_topic_ ? odometry_ : tf_).is_heard();
         },
         "all topics");
     Bytes bytes;
@@ -199,12 +232,14 @@ class Robot {
   }
 
   /// The scan to both nodes, with the odometry at its first and its last beam.
-  const node::Output& send(const LaserScan& scan) {
+  const node::Output& send(std::size_t number) {
+    const LaserScan& scan = run_.scans[number];
+    const std::size_t turn = number % setup_.lasers.size();  // whose
     const double end = scan.stamp + sweep_time(scan);
     const Pose2 T_odom_end = *scan.T_odom_robot * scan.sweep_motion.value_or(Pose2());
     const std::vector<node::Transform> wheels{transform(scan.stamp, "odom", "base_link", *scan.T_odom_robot),
                                               transform(end + 1e-3, "odom", "base_link", T_odom_end)};
-    const node::Scan message = message_of(scan);
+    const node::Scan message = message_of(scan, setup_.lasers[turn]);
     if (has_odometry_topic_) {
       // Not the scan's own stamp: a status of the waiting node might have it.
       clock_.write(clock_message({message.stamp.nanoseconds + 1000000}));
@@ -216,8 +251,8 @@ class Robot {
       tf_.write(transforms_message(wheels));
       for (const node::Transform& each : wheels) node_.take_transform(each, false);
     }
-    scan_.write(scan_message(message));
-    node_.take_scan(0, message, message.stamp);
+    scans_[turn].write(scan_message(message));
+    node_.take_scan(static_cast<int>(turn), message, message.stamp);
     const node::Output* const output = node_.step(message.stamp);
     must(output != nullptr, "the node core waits");
     return *output;
@@ -254,7 +289,8 @@ class Robot {
 
     for (const bool is_outliers : {true, false}) {
       const Cloud cloud = next(is_outliers ? outliers_ : inliers_, read_cloud, stamp_of, output.stamp, "cloud" + at);
-      must(cloud.frame == "laser" && cloud.fields == std::vector<std::string>{"x@0", "y@4", "z@8"}, "a cloud's fields");
+      must(cloud.frame == output.scan_frame && cloud.fields == std::vector<std::string>{"x@0", "y@4", "z@8"},
+           "a cloud's fields");
       must(same(cloud.points, is_outliers ? output.outliers : output.inliers), "another cloud" + at);
     }
     outliers_in_all_ += output.outliers.size();
@@ -308,19 +344,54 @@ class Robot {
     }
   }
 
-  void compare_rest() {
+  void compare_diagnostics() {
     Bytes bytes;
     wait_for([&] { return diagnostics_.take(bytes); }, "diagnostics");
     const std::vector<Diagnostics> told = read_diagnostics(bytes);
     must(told.size() == 1 && !told[0].values.empty() &&
              told[0].name == (has_odometry_topic_ ? "robot/localization: localization" : "slamicp: localization"),
          "other diagnostics");
-    if (!has_odometry_topic_) return;
-    // The file's map, published before we came to know the node.
-    wait_for([&] { return given_map_.take(bytes); }, "map");
-    const node::Grid grid = read_grid(bytes);
-    const node::Grid* const ours = node_.new_map({1});
-    must(ours != nullptr && grid.frame == "map" && grid.width == ours->width && grid.height == ours->height &&
+  }
+
+  /// What `ros2 node list` and `ros2 node info` go by: in Humble's spelling for the robot with a namespace.
+  void compare_announcement() {
+    const int gid_size = has_odometry_topic_ ? 24 : 16;
+    Bytes bytes;
+    wait_for([&] { return announcement_.take(bytes); }, "ros_discovery_info");
+    const Announcement told = read_announcement(bytes, gid_size);
+    must(told.space == (has_odometry_topic_ ? "/robot" : "/") &&
+             told.name == (has_odometry_topic_ ? "localization" : "slamicp"),
+         "another node: " + told.space + ", " + told.name);
+    Guid participant = pose_.speaker();
+    constexpr std::array<std::uint8_t, 4> entity_of_participants{0, 0, 1, 0xc1};  // RTPS 2.5, table 9.1
+    std::copy(entity_of_participants.begin(), entity_of_participants.end(), participant.begin() + 12);
+    must(told.participant == participant, "another participant");
+    must(dds_.user_data(participant) == "enclave=/;", "user data: " + dds_.user_data(participant));
+    for (const FastDds::Reader* const each : {&pose_, &outliers_, &inliers_, &obstacles_, &markers_, &status_})
+      must(std::count(told.writers.begin(), told.writers.end(), each->speaker()) == 1, "a writer that is not told of");
+    for (const FastDds::Writer& each : scans_)
+      must(std::count(told.readers.begin(), told.readers.end(), each.listener()) == 1, "a reader that is not told of");
+    const bool gives_map = has_odometry_topic_ || setup_.is_mapping, takes_map = !gives_map;
+    // amcl_pose, clouds, obstacles, markers, status, diagnostics and tf; tf, tf_static and initialpose.
+    must(told.writers.size() == (gives_map ? 9U : 8U), std::to_string(told.writers.size()) + " writers");
+    must(told.readers.size() == 3 + scans_.size() + (takes_map ? 1U : 0U) + (has_odometry_topic_ ? 2U : 0U),
+         std::to_string(told.readers.size()) + " readers");
+  }
+
+  /// That of the file, published before we came to know the node; or the last one of those made on the way.
+  void compare_map() {
+    const node::Grid* const ours = node_.new_map(Stamp::from_seconds(1e6));
+    must(ours != nullptr, "the node core has no map");
+    node::Grid grid;
+    wait_for(
+        [&] {
+          Bytes bytes;
+          if (!given_map_.take(bytes)) return false;
+          grid = read_grid(bytes);
+          return grid.cells == ours->cells || !setup_.is_mapping;
+        },
+        "map");
+    must(grid.frame == "map" && grid.width == ours->width && grid.height == ours->height &&
              grid.origin == ours->origin && grid.cells == ours->cells &&
              grid.resolution == static_cast<double>(static_cast<float>(ours->resolution)),
          "another map");
@@ -329,6 +400,7 @@ class Robot {
   static constexpr Quality sensor_data{false, false, 5}, motion{true, false, 100}, latched{true, true, 1};
   static constexpr Quality usual{true, false, 200};
 
+  Setup setup_;
   bool has_odometry_topic_;
   std::string space_;
   FastDds dds_;
@@ -340,7 +412,7 @@ class Robot {
   FastDds::Writer mount_ = dds_.writer("rt/tf_static", "tf2_msgs::msg::dds_::TFMessage_", latched);
   FastDds::Writer tf_ = dds_.writer("rt/tf", "tf2_msgs::msg::dds_::TFMessage_", motion);
   FastDds::Writer odometry_ = dds_.writer(space_ + "odom", "nav_msgs::msg::dds_::Odometry_", motion);
-  FastDds::Writer scan_ = dds_.writer(space_ + "scan", "sensor_msgs::msg::dds_::LaserScan_", sensor_data);
+  std::vector<FastDds::Writer> scans_;
   FastDds::Writer map_ = dds_.writer("rt/map", "nav_msgs::msg::dds_::OccupancyGrid_", latched);
   FastDds::Writer given_pose_ =
       dds_.writer(space_ + "initialpose", "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_", usual);
@@ -354,8 +426,30 @@ class Robot {
       dds_.reader(space_ + "obstacle_markers", "visualization_msgs::msg::dds_::MarkerArray_", usual);
   FastDds::Reader status_ = dds_.reader(space_ + "slamicp/status", "slamicp_msgs::msg::dds_::Status_", usual);
   FastDds::Reader diagnostics_ = dds_.reader("rt/diagnostics", "diagnostic_msgs::msg::dds_::DiagnosticArray_", usual);
-  FastDds::Reader given_map_ = dds_.reader("rt/robot/map", "nav_msgs::msg::dds_::OccupancyGrid_", latched);
+  FastDds::Reader given_map_ = dds_.reader(space_ + "map", "nav_msgs::msg::dds_::OccupancyGrid_", latched);
+  FastDds::Reader announcement_ =
+      dds_.reader("ros_discovery_info", "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_", latched);
 };
+
+/// The node must go on waiting for a map that is offered all the time, but to those alone who were there before.
+void offer_less() {
+  FastDds dds(domain());
+  const FastDds::Writer tf = dds.writer("rt/tf", "tf2_msgs::msg::dds_::TFMessage_", {false, false, 10});
+  const FastDds::Writer map = dds.writer("rt/map", "nav_msgs::msg::dds_::OccupancyGrid_", {true, false, 1});
+  const FastDds::Reader status =
+      dds.reader("rt/slamicp/status", "slamicp_msgs::msg::dds_::Status_", {true, false, 200});
+  for (int heard = 0; heard < 2; ++heard) {
+    Bytes bytes;
+    wait_for(
+        [&] {
+          map.write(grid_message(map_grid()));
+          return status.take(bytes);
+        },
+        "status");
+    must(read_status(bytes).state == "waiting_for_map", read_status(bytes).state);
+  }
+  must(!tf.is_heard() && !map.is_heard(), "the node hears what promises less than it asks for");
+}
 
 int run(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
@@ -365,9 +459,15 @@ int run(int argc, char** argv) {
   } else if (what == "map" && argc == 3) {
     save_map(argv[2], *PointMap2::create(wall_samples()));
   } else if (what == "tf") {
-    Robot(false, "").drive_and_compare();
+    Robot({.scans = 100}).drive_and_compare();
   } else if (what == "odom" && argc == 3) {
-    Robot(true, argv[2]).drive_and_compare();
+    Robot({.scans = 100, .odometry_map = argv[2]}).drive_and_compare();
+  } else if (what == "lasers") {
+    Robot({.lasers = {{"front", "laser"}, {"back", "laser_behind", 2.5}}}).drive_and_compare();
+  } else if (what == "mapping") {
+    Robot({.is_mapping = true}).drive_and_compare();
+  } else if (what == "lesser") {
+    offer_less();
   } else {
     return 2;
   }
