@@ -51,16 +51,33 @@ void take_values(const YAML::Node& map, const std::string& prefix, Arguments& ar
   }
 }
 
+/// Whether a section of a file is the node's: "/**", "/robot/amcl", and "amcl" in whatever namespace.
+bool is_ours(const std::string& section, const Names& names) {
+  return section == "/**" || section == "/**/" + names.node || section == "/" + names.node || section == names.whole();
+}
+
+/// Namespaces may hold sections.
+bool take_sections(const YAML::Node& map, const std::string& space, Arguments& arguments) {
+  bool found = false;
+  for (const auto& entry : map) {
+    const std::string name = entry.first.Scalar();
+    const std::string section = !name.empty() && name.front() == '/' ? space + name : space + '/' + name;
+    if (!entry.second.IsMap()) continue;
+    const YAML::Node values = entry.second["ros__parameters"];
+    if (!values.IsDefined()) {
+      found = take_sections(entry.second, section, arguments) || found;
+    } else if (is_ours(section, arguments.names)) {
+      found = true;
+      take_values(values, "", arguments);
+    }
+  }
+  return found;
+}
+
 void take_file(const std::string& file, Arguments& arguments) {
   bool found = false;
   try {
-    for (const auto& entry : YAML::LoadFile(file)) {
-      const std::string node = entry.first.Scalar();
-      const bool is_ours = node == "/**" || node == arguments.names.node || node == arguments.names.whole();
-      if (!is_ours || !entry.second.IsMap() || !entry.second["ros__parameters"].IsDefined()) continue;
-      found = true;
-      take_values(entry.second["ros__parameters"], "", arguments);
-    }
+    found = take_sections(YAML::LoadFile(file), "", arguments);
   } catch (const YAML::Exception& problem) {
     throw Error(problem.what(), file, "a file of parameters: node name, ros__parameters, and their names and values");
   }

@@ -37,7 +37,7 @@ void Front::subscribe(const Names& names, bool use_sim_time) {
   pose_ =
       participant_.reader(geometry_msgs_msg_dds__PoseWithCovarianceStamped__desc, names.topic("initialpose"), usual);
   if (options_.mode != "mapping" && options_.map_file.empty() && options_.use_map_topic)
-    map_ = participant_.reader(nav_msgs_msg_dds__OccupancyGrid__desc, names.topic("map"), latched);
+    map_ = participant_.reader(nav_msgs_msg_dds__OccupancyGrid__desc, names.topic(options_.map_topic), latched);
 }
 
 Stamp Front::now() const {

@@ -89,7 +89,7 @@ Publications::Publications(const NodeOptions& options, const Names& names, Parti
           participant.writer(diagnostic_msgs_msg_dds__DiagnosticArray__desc, names.topic("/diagnostics"), usual)) {
   if (broadcasts_) tf_ = participant.writer(tf2_msgs_msg_dds__TFMessage__desc, names.topic("/tf"), motion);
   if (options.mode == "mapping" || !options.map_file.empty())
-    map_ = participant.writer(nav_msgs_msg_dds__OccupancyGrid__desc, names.topic("map"), latched);
+    map_ = participant.writer(nav_msgs_msg_dds__OccupancyGrid__desc, names.topic(options.map_topic), latched);
 }
 
 void Publications::publish(const Output& output) {

@@ -11,6 +11,69 @@ NODE = os.environ.get("SLAMICP_DDS", "slamicp_dds")
 PEER = os.environ.get("SLAMICP_DDS_PEER", "slamicp_dds_peer")
 
 
+# What a user of nav2's amcl has: every name that nav2's configuration guide lists for it, here and there with another
+# value; and the sections of others around it.
+NAV2 = """
+bt_navigator:
+  ros__parameters: {{global_frame: map, navigators: [navigate_to_pose]}}
+amcl:
+  ros__parameters:
+    use_sim_time: false
+    allow_parameter_qos_overrides: true
+    alpha1: 0.2
+    alpha2: 0.2
+    alpha3: 0.2
+    alpha4: 0.2
+    alpha5: 0.2
+    always_reset_initial_pose: false
+    base_frame_id: "base_link"
+    beam_skip_distance: 0.5
+    beam_skip_error_threshold: 0.9
+    beam_skip_threshold: 0.3
+    bond_heartbeat_period: 0.25
+    do_beamskip: false
+    first_map_only: false
+    freespace_downsampling: false
+    global_frame_id: "map"
+    set_initial_pose: true
+    initial_pose: {{x: {x}, y: {y}, z: 0.0, yaw: {yaw}}}
+    introspection_mode: "disabled"
+    service_introspection_mode: "disabled"
+    lambda_short: 0.1
+    laser_likelihood_max_dist: 2.0
+    laser_max_range: 100.0
+    laser_min_range: -1.0
+    laser_model_type: "likelihood_field"
+    map_topic: building
+    max_beams: 60
+    max_particles: 2000
+    min_particles: 500
+    odom_frame_id: "odom"
+    pf_err: 0.05
+    pf_z: 0.99
+    random_seed: -1
+    recovery_alpha_fast: 0.0
+    recovery_alpha_slow: 0.0
+    resample_interval: 1
+    robot_model_type: "nav2_amcl::DifferentialMotionModel"
+    save_pose_rate: -1.0
+    scan_topic: front/scan
+    sigma_hit: 0.2
+    tf_broadcast: true
+    transform_tolerance: 1.0
+    update_min_a: 0.2
+    update_min_d: 0.25
+    z_hit: 0.5
+    z_max: 0.05
+    z_rand: 0.5
+    z_short: 0.05
+    qos_overrides: {{/tf: {{publisher: {{depth: 100, reliability: reliable}}}}}}
+local_costmap:
+  local_costmap:
+    ros__parameters: {{robot_radius: 0.2}}
+"""
+
+
 def enter_own_network():
     """Participants find each other by multicast: here on loopback, where nobody else is."""
     if os.environ.get("SLAMICP_OWN_NETWORK") == "1":
@@ -94,6 +157,26 @@ class DdsTest(unittest.TestCase):
     def test_two_lasers(self):
         self.start_at_start("-p", "scan_topics:=[front, back]")
         self.assertIn("agree: 30 scans", self.peer("lasers"))
+
+    def test_the_parameters_of_nav2s_amcl(self):
+        x, y, theta = self.peer("start").split()
+        parameters = self.folder / "nav2_params.yaml"
+        parameters.write_text(NAV2.format(x=x, y=y, yaw=theta))
+        self.start("--params-file", parameters, "-r", "__node:=amcl", "-p", "odometry_wait:=10.0", "-p",
+                   "scan_timeout:=1000", "-r", "front/scan:=scan", "-r", "building:=/map")
+        self.assertIn("agree: 30 scans", self.peer("amcl"))
+        self.assertIn("'sigma_hit' has no use here", self.log())
+        self.assertNotIn("'scan_topic'", self.log())
+
+    def test_a_file_with_namespaces(self):
+        parameters = self.folder / "robots.yaml"
+        parameters.write_text("""
+            robot: {amcl: {ros__parameters: {max_iterations: 0}}}
+            /other: {amcl: {ros__parameters: {gravity: 9.81}}}
+        """)
+        words = ["--params-file", parameters, "-r", "__node:=amcl"]
+        self.assertIn("'max_iterations' is 0", self.refused(*words, "-r", "__ns:=/robot"))
+        self.assertIn("no parameter 'gravity'", self.refused(*words, "-r", "__ns:=/other"))
 
     def test_mapping(self):
         self.start_at_start("-p", "mode:=mapping", "-p", "map_update_interval:=0.1")

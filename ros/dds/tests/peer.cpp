@@ -5,6 +5,7 @@
 //   tf         gives map, tf and scans, and hears what slamicp_dds says of them
 //   odom FILE  gives the clock, odometry, a first pose and scans in namespace /robot; the node has the map FILE
 //   lasers     as tf, with two lasers
+//   amcl       as tf; the node has amcl's name and the parameters of dds_test.py's file for nav2's
 //   mapping    as tf, without a map: hears the one that the node makes
 //   lesser     gives tf and a map with less than ROS 2 gives: the node must not hear them
 // All but the last hold every word of the node against slamicp::node_core in this process, which is given the same
@@ -139,6 +140,8 @@ struct Setup {
   std::string odometry_map = {};  // a file: in namespace /robot, with odometry by topic and this map
   std::vector<Laser> lasers = {{"scan", "laser"}};
   bool is_mapping = false;
+  std::string name = "slamicp";                             // the node's
+  double transform_tolerance = 0.1, laser_max_range = 1e9;  // and what it was given
 };
 
 class Robot {
@@ -168,6 +171,8 @@ class Robot {
   static node::NodeOptions options(const Setup& setup, const SimulatedRun& run) {
     node::NodeOptions chosen;
     chosen.odometry_wait = 10.0;
+    chosen.transform_tolerance = setup.transform_tolerance;
+    chosen.max_range = setup.laser_max_range;
     chosen.map_file = setup.odometry_map;
     chosen.wait_for_initial_pose = !setup.odometry_map.empty();
     chosen.scan_topics.assign(setup.lasers.size(), "");
@@ -349,7 +354,7 @@ class Robot {
     wait_for([&] { return diagnostics_.take(bytes); }, "diagnostics");
     const std::vector<Diagnostics> told = read_diagnostics(bytes);
     must(told.size() == 1 && !told[0].values.empty() &&
-             told[0].name == (has_odometry_topic_ ? "robot/localization: localization" : "slamicp: localization"),
+             told[0].name == (has_odometry_topic_ ? "robot/" : "") + setup_.name + ": localization",
          "other diagnostics");
   }
 
@@ -359,8 +364,7 @@ class Robot {
     Bytes bytes;
     wait_for([&] { return announcement_.take(bytes); }, "ros_discovery_info");
     const Announcement told = read_announcement(bytes, gid_size);
-    must(told.space == (has_odometry_topic_ ? "/robot" : "/") &&
-             told.name == (has_odometry_topic_ ? "localization" : "slamicp"),
+    must(told.space == (has_odometry_topic_ ? "/robot" : "/") && told.name == setup_.name,
          "another node: " + told.space + ", " + told.name);
     Guid participant = pose_.speaker();
     constexpr std::array<std::uint8_t, 4> entity_of_participants{0, 0, 1, 0xc1};  // RTPS 2.5, table 9.1
@@ -461,9 +465,11 @@ int run(int argc, char** argv) {
   } else if (what == "tf") {
     Robot({.scans = 100}).drive_and_compare();
   } else if (what == "odom" && argc == 3) {
-    Robot({.scans = 100, .odometry_map = argv[2]}).drive_and_compare();
+    Robot({.scans = 100, .odometry_map = argv[2], .name = "localization"}).drive_and_compare();
   } else if (what == "lasers") {
     Robot({.lasers = {{"front", "laser"}, {"back", "laser_behind", 2.5}}}).drive_and_compare();
+  } else if (what == "amcl") {
+    Robot({.name = "amcl", .transform_tolerance = 1.0, .laser_max_range = 100.0}).drive_and_compare();
   } else if (what == "mapping") {
     Robot({.is_mapping = true}).drive_and_compare();
   } else if (what == "lesser") {

@@ -66,7 +66,8 @@ Diagnostic Node::diagnostic(Stamp now) const {
                                                : warning;
   switch (is) {
     case State::waiting_for_map:
-      told.message = core.options.use_map_topic ? "waits for a map on topic map" : "waits for the service static_map";
+      told.message = core.options.use_map_topic ? "waits for a map on topic " + core.options.map_topic
+                                                : "waits for the service static_map";
       break;
     case State::waiting_for_pose:
       told.message = "waits for a pose on topic initialpose";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -30,9 +32,10 @@ const std::vector<Entry>& entries() {
   using O = NodeOptions;
   static const std::vector<Entry> all{
       {"mode", &O::mode, "", 0, 0, "localization, in a map; or mapping: make one"},
-      {"map_file", &O::map_file, "", 0, 0, "the map: .yaml of map_server, .pcd, .ply, .csv; published on map too"},
+      {"map_file", &O::map_file, "", 0, 0, "the map: .yaml of map_server, .pcd, .ply, .csv; published too"},
       {"use_map_topic", &O::use_map_topic, "", 0, 0,
-       "without a map_file: the map is that of topic map; else of service static_map"},
+       "without a map_file: the map is that of map_topic; else of service static_map"},
+      {"map_topic", &O::map_topic, "", 0, 0, "where the map comes from, or is published"},
       {"first_map_only", &O::first_map_only, "", 0, 0, "later maps on the topic are left alone"},
       {"scan_topics", &O::scan_topics, "", 0, 0, "a list; each laser sits where tf says"},
       {"odom_topic", &O::odom_topic, "", 0, 0, "odometry by nav_msgs/Odometry; empty: by tf"},
@@ -76,6 +79,9 @@ constexpr const char* no_particles = "there are no particles";
 constexpr const char* every_scan = "every scan is localized";
 constexpr const char* by_match = "the match weighs ranges by their own noise";
 constexpr const char* by_surface = "how sure odometry is has fixed values";
+constexpr const char* no_lifecycle = "it is no lifecycle node";
+constexpr const char* no_services = "it has no services of ROS 2";
+constexpr const char* fixed_quality = "the qualities of its topics are fixed";
 constexpr const char* start_is_searched = "the start may be off by a match distance, or by 3 m with recover";
 
 constexpr Unused unused[] = {{"min_particles", no_particles},
@@ -117,14 +123,60 @@ constexpr Unused unused[] = {{"min_particles", no_particles},
                              {"odom_alpha5", by_surface},
                              {"initial_cov_xx", start_is_searched},
                              {"initial_cov_yy", start_is_searched},
-                             {"initial_cov_aa", start_is_searched}};
+                             {"initial_cov_aa", start_is_searched},
+                             {"pf_err", no_particles},
+                             {"pf_z", no_particles},
+                             {"random_seed", no_particles},
+                             {"freespace_downsampling", no_particles},
+                             {"max_beams", "all beams are used"},
+                             {"z_hit", by_match},
+                             {"z_short", by_match},
+                             {"z_max", by_match},
+                             {"z_rand", by_match},
+                             {"sigma_hit", by_match},
+                             {"lambda_short", by_match},
+                             {"robot_model_type", by_surface},
+                             {"alpha1", by_surface},
+                             {"alpha2", by_surface},
+                             {"alpha3", by_surface},
+                             {"alpha4", by_surface},
+                             {"alpha5", by_surface},
+                             {"initial_pose.z", "the robot drives in a plane"},
+                             {"always_reset_initial_pose", "no pose is kept from one run to the next"},
+                             {"bond_heartbeat_period", no_lifecycle},
+                             {"introspection_mode", no_services},
+                             {"service_introspection_mode", no_services},
+                             {"start_type_description_service", no_services},
+                             {"allow_parameter_qos_overrides", fixed_quality},
+                             {"qos_overrides.*", fixed_quality}};
 
-/// amcl's names for what has another one here; -1 stands for what the scan says itself.
+bool is_named(const Unused& other, std::string_view name) {
+  const std::string_view all = other.name;
+  if (all.back() != '*') return name == all;
+  const std::string_view beginning = all.substr(0, all.size() - 1);
+  return name.substr(0, beginning.size()) == beginning;
+}
+
+/// amcl's names for what has another one here, or other values.
 struct Alias {
   const char* name;
   const char* ours;
+  enum class Meaning {
+    same,
+    opposite,
+    same_unless_negative,  ///< -1 stands for what the scan says itself
+    never_if_negative,
+  } meaning;
 };
-constexpr Alias aliases[] = {{"laser_min_range", "min_range"}, {"laser_max_range", "max_range"}};
+using Meaning = Alias::Meaning;
+constexpr Alias aliases[] = {{"laser_min_range", "min_range", Meaning::same_unless_negative},
+                             {"laser_max_range", "max_range", Meaning::same_unless_negative},
+                             {"save_pose_rate", "save_pose_rate", Meaning::never_if_negative},
+                             {"scan_topic", "scan_topics", Meaning::same},
+                             {"set_initial_pose", "wait_for_initial_pose", Meaning::opposite},
+                             {"initial_pose.x", "initial_pose_x", Meaning::same},
+                             {"initial_pose.y", "initial_pose_y", Meaning::same},
+                             {"initial_pose.yaw", "initial_pose_a", Meaning::same}};
 
 std::string number(double value) {
   char text[32];
@@ -198,6 +250,21 @@ void choose(const Entry& entry, const Value& value, NodeOptions& options) {
   }
 }
 
+void choose_by(const Alias& alias, const Value& value, NodeOptions& options) {
+  const Entry& entry = *entry_of(alias.ours);
+  const std::optional<double> given = as_number(value);
+  const bool is_negative = given && *given < 0.0;
+  if (alias.meaning == Meaning::same_unless_negative && is_negative) return;
+  if (alias.meaning == Meaning::never_if_negative && is_negative) {
+    choose(entry, 0.0, options);
+  } else if (const bool* const flag = std::get_if<bool>(&value);
+             alias.meaning == Meaning::opposite && flag != nullptr) {
+    choose(entry, !*flag, options);
+  } else {
+    choose(entry, value, options);
+  }
+}
+
 std::string told(const Place& place, const NodeOptions& options) {
   if (const auto* flag = std::get_if<bool NodeOptions::*>(&place)) return options.*(*flag) ? "true" : "false";
   if (const auto* whole = std::get_if<int NodeOptions::*>(&place)) return std::to_string(options.*(*whole));
@@ -221,6 +288,7 @@ std::string NodeOptions::problem() const {
   if (mode != "localization" && mode != "mapping") return "mode must be localization or mapping, not '" + mode + "'";
   if (mode == "mapping" && !map_file.empty()) return "map_file must be empty while mapping: save_map writes one";
   if (scan_topics.empty()) return "scan_topics must name one topic at least";
+  if (map_topic.empty()) return "map_topic must not be empty";
   if (global_frame_id.empty() || base_frame_id.empty()) return "global_frame_id and base_frame_id must not be empty";
   if (use_odometry && odom_frame_id.empty()) return "odom_frame_id must not be empty, unless use_odometry is false";
   if (global_frame_id == odom_frame_id || global_frame_id == base_frame_id || odom_frame_id == base_frame_id)
@@ -247,25 +315,18 @@ std::vector<std::pair<std::string, std::string>> parameters_without_use() {
 NodeOptions options_from(const Values& values, std::vector<std::string>& warnings) {
   NodeOptions options;
   for (const auto& [name, value] : values) {
-    if (const Entry* const entry = entry_of(name)) {
+    const auto alias = std::find_if(std::begin(aliases), std::end(aliases),
+                                    [&](const Alias& each) { return each.name == std::string_view(name); });
+    const auto without_use =
+        std::find_if(std::begin(unused), std::end(unused), [&](const Unused& each) { return is_named(each, name); });
+    if (alias != std::end(aliases))
+      choose_by(*alias, value, options);
+    else if (const Entry* const entry = entry_of(name))
       choose(*entry, value, options);
-      continue;
-    }
-    bool is_known = false;
-    for (const Alias& alias : aliases) {
-      if (name != alias.name) continue;
-      is_known = true;
-      const Entry& entry = *entry_of(alias.ours);
-      const std::optional<double> metres = as_number(value);
-      if (!metres) refuse_type(entry);
-      if (*metres >= 0.0) choose(entry, value, options);
-    }
-    for (const Unused& other : unused) {
-      if (name != other.name) continue;
-      is_known = true;
-      warnings.push_back("parameter '" + name + "' has no use here: " + other.why);
-    }
-    if (!is_known) refuse_name(name);
+    else if (without_use != std::end(unused))
+      warnings.push_back("parameter '" + name + "' has no use here: " + without_use->why);
+    else
+      refuse_name(name);
   }
   if (const std::string problem = options.problem(); !problem.empty()) throw Error(problem, "parameters");
   return options;

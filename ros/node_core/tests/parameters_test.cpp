@@ -66,6 +66,44 @@ TEST(Parameters, ThoseOfAmclAreTaken) {
   EXPECT_NE(warnings[0].find("no particles"), std::string::npos);
 }
 
+TEST(Parameters, ThoseOfNav2sAmclAreUnderstood) {
+  std::vector<std::string> warnings;
+  const NodeOptions options = options_from({{"set_initial_pose", true},
+                                            {"initial_pose.x", -2.0},
+                                            {"initial_pose.y", 3},
+                                            {"initial_pose.z", 0.0},
+                                            {"initial_pose.yaw", 0.5},
+                                            {"scan_topic", std::string("front/scan")},
+                                            {"map_topic", std::string("building")},
+                                            {"save_pose_rate", -1.0},
+                                            {"first_map_only", true}},
+                                           warnings);
+  EXPECT_FALSE(options.wait_for_initial_pose);
+  EXPECT_EQ(options.initial_pose_x, -2.0);
+  EXPECT_EQ(options.initial_pose_y, 3.0);
+  EXPECT_EQ(options.initial_pose_a, 0.5);
+  EXPECT_EQ(options.scan_topics, std::vector<std::string>{"front/scan"});
+  EXPECT_EQ(options.map_topic, "building");
+  EXPECT_EQ(options.save_pose_rate, 0.0);
+  EXPECT_TRUE(options.first_map_only);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("'initial_pose.z' has no use here: the robot drives in a plane"), std::string::npos);
+
+  EXPECT_TRUE(options_from({{"set_initial_pose", false}}, warnings).wait_for_initial_pose);
+  EXPECT_NE(problem_of({{"set_initial_pose", 1}}).find("'wait_for_initial_pose' is a bool"), std::string::npos);
+  EXPECT_NE(problem_of({{"initial_pose.yaw", std::string("north")}}).find("'initial_pose_a' is a double"),
+            std::string::npos);
+  EXPECT_NE(problem_of({{"save_pose_rate", 1000.0}}).find("from 0 to 100"), std::string::npos);
+  EXPECT_NE(problem_of({{"map_topic", std::string()}}).find("map_topic must not be empty"), std::string::npos);
+}
+
+TEST(Parameters, ANameThatEndsInAStarStandsForAllThatBeginSo) {
+  std::vector<std::string> warnings;
+  options_from({{"qos_overrides./tf.publisher.depth", 100}, {"qos_overrides./scan.subscription.depth", 5}}, warnings);
+  EXPECT_EQ(warnings.size(), 2U);
+  EXPECT_NE(problem_of({{"qos_override", 1}}).find("there is no parameter 'qos_override'"), std::string::npos);
+}
+
 TEST(Parameters, EachIsDescribedAndItsDefaultIsInRange) {
   const auto all = node::parameters();
   EXPECT_GT(all.size(), 25U);

@@ -18,6 +18,7 @@ struct NodeOptions {
   std::string mode = "localization";
   std::string map_file;
   bool use_map_topic = true;
+  std::string map_topic = "map";
   bool first_map_only = false;
   std::vector<std::string> scan_topics = {"scan"};
   std::string odom_topic;
@@ -54,11 +55,12 @@ struct ParameterInfo {
 /// In the order of NodeOptions.
 std::vector<ParameterInfo> parameters();
 
-/// amcl's parameters that this node has no use for, and why: taken, with a warning, so that amcl's launch files run.
+/// Parameters of amcl, ROS 1's and nav2's, that this node has no use for, and why: taken, with a warning, so that
+/// amcl's launch and parameter files run. A name that ends in '*' stands for all that begin so.
 std::vector<std::pair<std::string, std::string>> parameters_without_use();
 
-/// Chooses. Throws slamicp::Error (a std::runtime_error) for a name that is none, with the nearest one; for a value of
-/// another type, or out of range.
+/// Chooses; amcl's names for what has another one here are understood. Throws slamicp::Error (a std::runtime_error) for
+/// a name that is none, with the nearest one; for a value of another type, or out of range.
 /// @param warnings  of names that are taken, and do nothing
 NodeOptions options_from(const Values& values, std::vector<std::string>& warnings);
 

@@ -45,7 +45,7 @@ void Front::advertise() {
   status_ = handle_.advertise<slamicp_msgs::Status>("slamicp/status", queue);
   diagnostics_ = handle_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", queue);
   if (options_.mode == "mapping" || !options_.map_file.empty()) {
-    map_ = handle_.advertise<nav_msgs::OccupancyGrid>("map", 1, true);
+    map_ = handle_.advertise<nav_msgs::OccupancyGrid>(options_.map_topic, 1, true);
     if (!published_map_.data.empty()) map_.publish(published_map_);
   }
   services_.push_back(handle_.advertiseService("set_map", &Front::set_map, this));
@@ -91,7 +91,7 @@ void Front::subscribe() {
       [this](const nav_msgs::OccupancyGrid::ConstPtr& message) {
         if (!has_map_ || !options_.first_map_only) take(*message);
       };
-  subscribers_.push_back(handle_.subscribe<nav_msgs::OccupancyGrid>("map", 1, take_map));
+  subscribers_.push_back(handle_.subscribe<nav_msgs::OccupancyGrid>(options_.map_topic, 1, take_map));
 }
 
 void Front::disconnect() {
