@@ -21,8 +21,8 @@ Front::Front(const NodeOptions& options, const Names& names, bool use_sim_time, 
   subscribe(names, use_sim_time);
   announce(names, spelling, participant_);
   const bool is_old = spelling == Spelling::until_humble;
-  tell("INFO", "node " + names.whole() + ", listed as " +
-                   (is_old ? "Humble reads it" : "Iron and later read it (ROS_DISTRO=humble: as Humble does)"));
+  tell(Severity::info, "node " + names.whole() + ", listed as " +
+                           (is_old ? "Humble reads it" : "Iron and later read it (ROS_DISTRO=humble: as Humble does)"));
 }
 
 void Front::subscribe(const Names& names, bool use_sim_time) {
@@ -88,7 +88,7 @@ void Front::now_and_then() {
   next_second_ = passed + 1.0;
   publish_state();
   for (const auto& [topic, promised, wanted] : participant_.unheard())
-    tell("WARN", topic + ": somebody publishes it " + promised + ", and is not heard: it must be " + wanted);
+    tell(Severity::warning, topic + ": somebody publishes it " + promised + ", and is not heard: it must be " + wanted);
 }
 
 void Front::publish_state() {
@@ -102,26 +102,29 @@ void Front::publish_state() {
   publications_.publish(status, now());
   if (diagnostic.level == 0 || next_second_ < next_warning_) return;
   next_warning_ = next_second_ + 10.0;
-  tell("WARN", diagnostic.message);
+  tell(Severity::warning, diagnostic.message);
 }
 
 void Front::take(const nav_msgs_msg_dds__OccupancyGrid_& map) {
   std::string problem;
   if (!node_.take_map(from_dds(map), problem)) {
-    tell("ERROR", "map: " + problem);
+    tell(Severity::error, "map: " + problem);
     return;
   }
   has_map_ = true;
-  tell("INFO", "took a map of " + std::to_string(map.info.width) + " x " + std::to_string(map.info.height) + " cells");
+  tell(Severity::info,
+       "took a map of " + std::to_string(map.info.width) + " x " + std::to_string(map.info.height) + " cells");
 }
 
 void Front::take(const geometry_msgs_msg_dds__PoseWithCovarianceStamped_& pose) {
   std::string problem;
-  if (!node_.take_pose(from_dds(pose), problem)) tell("ERROR", "initialpose: " + problem);
+  if (!node_.take_pose(from_dds(pose), problem)) tell(Severity::error, "initialpose: " + problem);
 }
 
-void Front::tell(const char* level, const std::string& text) const {
-  std::fprintf(stderr, "[%s] [%s]: %s\n", level, name_.c_str(), text.c_str());
+void Front::tell(Severity severity, const std::string& text) {
+  const char* const word = severity == Severity::info ? "INFO" : severity == Severity::warning ? "WARN" : "ERROR";
+  std::fprintf(stderr, "[%s] [%s]: %s\n", word, name_.c_str(), text.c_str());
+  publications_.publish(severity, text, now());
 }
 
 }  // namespace slamicp::node

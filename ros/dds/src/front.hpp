@@ -32,7 +32,8 @@ class Front {
   void publish_state();
   void take(const nav_msgs_msg_dds__OccupancyGrid_& map);
   void take(const geometry_msgs_msg_dds__PoseWithCovarianceStamped_& pose);
-  void tell(const char* level, const std::string& text) const;
+  /// On the screen and on /rosout.
+  void tell(Severity severity, const std::string& text);
 
   NodeOptions options_;
   std::string name_;

@@ -20,6 +20,7 @@ constexpr Quality usual{};
 constexpr Quality motion{true, false, 100};
 constexpr Quality latched_motion{true, true, 100};
 constexpr Quality latched{true, true, 1};
+constexpr Quality logged{true, true, 100};  // ROS 2 keeps 1,000 for 10 s
 
 /// One who takes part in a DDS domain. Throws slamicp::Error where DDS refuses.
 class Participant {

@@ -76,6 +76,7 @@ visualization_msgs_msg_dds__Marker_ to_dds(const Marker& drawn) {
 Publications::Publications(const NodeOptions& options, const Names& names, Participant& participant)
     : frame_(options.global_frame_id),
       name_(names.whole().substr(1) + ": localization"),
+      logger_(names.whole().substr(1)),
       broadcasts_(options.tf_broadcast),
       pose_(participant.writer(geometry_msgs_msg_dds__PoseWithCovarianceStamped__desc, names.topic("amcl_pose"),
                                latched)),
@@ -86,7 +87,9 @@ Publications::Publications(const NodeOptions& options, const Names& names, Parti
           participant.writer(visualization_msgs_msg_dds__MarkerArray__desc, names.topic("obstacle_markers"), usual)),
       status_(participant.writer(slamicp_msgs_msg_dds__Status__desc, names.topic("slamicp/status"), usual)),
       diagnostics_(
-          participant.writer(diagnostic_msgs_msg_dds__DiagnosticArray__desc, names.topic("/diagnostics"), usual)) {
+          participant.writer(diagnostic_msgs_msg_dds__DiagnosticArray__desc, names.topic("/diagnostics"), usual)),
+      log_(participant.writer(rcl_interfaces_msg_dds__Log__desc, names.topic("/rosout"), logged)) {
+  std::replace(logger_.begin(), logger_.end(), '/', '.');
   if (broadcasts_) tf_ = participant.writer(tf2_msgs_msg_dds__TFMessage__desc, names.topic("/tf"), motion);
   if (options.mode == "mapping" || !options.map_file.empty())
     map_ = participant.writer(nav_msgs_msg_dds__OccupancyGrid__desc, names.topic(options.map_topic), latched);
@@ -209,6 +212,16 @@ void Publications::publish(const Diagnostic& diagnostic, const Stamp& now) {
   message.header.frame_id = nothing;
   lend(all, message.status);
   dds_write(diagnostics_, &message);
+}
+
+void Publications::publish(Severity severity, const std::string& line, const Stamp& now) {
+  rcl_interfaces_msg_dds__Log_ message{};
+  message.stamp = to_dds(now);
+  message.level = static_cast<std::uint8_t>(severity);
+  message.name = lend(logger_);
+  message.msg = lend(line);
+  message.file = message.function = nothing;
+  dds_write(log_, &message);
 }
 
 void Publications::publish(const Grid& grid) {

@@ -274,6 +274,19 @@ std::vector<Diagnostics> read_diagnostics(Bytes message) {
   return all;
 }
 
+LogLine read_log_line(Bytes message) {
+  In in(message);
+  LogLine line;
+  in.take<node::Stamp>();
+  line.level = in.take<std::uint8_t>();
+  in >> line.name >> line.text;
+  in.take<std::string>();  // file, function, line
+  in.take<std::string>();
+  in.take<std::uint32_t>();
+  in.end();
+  return line;
+}
+
 Announcement read_announcement(Bytes message, int gid_size) {
   In in(message);
   Announcement told;

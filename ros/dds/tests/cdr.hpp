@@ -52,6 +52,10 @@ struct Diagnostics {
   std::vector<std::pair<std::string, std::string>> values;
 };
 
+struct LogLine {
+  int level = 0;
+  std::string name, text;
+};
 /// Who is who: rmw_dds_common/ParticipantEntitiesInfo
 struct Announcement {
   Guid participant;
@@ -67,6 +71,7 @@ Obstacles read_obstacles(Bytes message);
 Status read_status(Bytes message);
 node::Grid read_grid(Bytes message);
 std::vector<Diagnostics> read_diagnostics(Bytes message);
+LogLine read_log_line(Bytes message);
 /// @param gid_size  24 until Humble, 16 from Iron on
 Announcement read_announcement(Bytes message, int gid_size);
 

@@ -162,6 +162,7 @@ class Robot {
     for (int k = 0; k < setup_.scans; ++k) compare(send(static_cast<std::size_t>(k)), k);
     compare_diagnostics();
     compare_announcement();
+    compare_log();
     if (has_odometry_topic_ || setup_.is_mapping) compare_map();
     std::printf("agree: %d scans, %zu outliers and %zu obstacles in all\n", setup_.scans, outliers_in_all_,
                 obstacles_in_all_);
@@ -376,10 +377,22 @@ class Robot {
     for (const FastDds::Writer& each : scans_)
       must(std::count(told.readers.begin(), told.readers.end(), each.listener()) == 1, "a reader that is not told of");
     const bool gives_map = has_odometry_topic_ || setup_.is_mapping, takes_map = !gives_map;
-    // amcl_pose, clouds, obstacles, markers, status, diagnostics and tf; tf, tf_static and initialpose.
-    must(told.writers.size() == (gives_map ? 9U : 8U), std::to_string(told.writers.size()) + " writers");
+    // amcl_pose, clouds, obstacles, markers, status, diagnostics, log and tf; tf, tf_static and initialpose.
+    must(told.writers.size() == (gives_map ? 10U : 9U), std::to_string(told.writers.size()) + " writers");
     must(told.readers.size() == 3 + scans_.size() + (takes_map ? 1U : 0U) + (has_odometry_topic_ ? 2U : 0U),
          std::to_string(told.readers.size()) + " readers");
+  }
+
+  /// Its first line was written before we came to know the node.
+  void compare_log() {
+    Bytes bytes;
+    wait_for([&] { return log_.take(bytes); }, "rosout");
+    const LogLine line = read_log_line(bytes);
+    constexpr int info = 20;
+    const std::string node = (has_odometry_topic_ ? "/robot/" : "/") + setup_.name;
+    must(line.level == info && line.name == (has_odometry_topic_ ? "robot." : "") + setup_.name &&
+             line.text.rfind("node " + node + ", listed as ", 0) == 0,
+         "another log: " + line.name + ": " + line.text);
   }
 
   /// That of the file, published before we came to know the node; or the last one of those made on the way.
@@ -431,6 +444,7 @@ class Robot {
   FastDds::Reader status_ = dds_.reader(space_ + "slamicp/status", "slamicp_msgs::msg::dds_::Status_", usual);
   FastDds::Reader diagnostics_ = dds_.reader("rt/diagnostics", "diagnostic_msgs::msg::dds_::DiagnosticArray_", usual);
   FastDds::Reader given_map_ = dds_.reader(space_ + "map", "nav_msgs::msg::dds_::OccupancyGrid_", latched);
+  FastDds::Reader log_ = dds_.reader("rt/rosout", "rcl_interfaces::msg::dds_::Log_", {true, true, 100});
   FastDds::Reader announcement_ =
       dds_.reader("ros_discovery_info", "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_", latched);
 };
