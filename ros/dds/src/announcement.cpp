@@ -40,6 +40,7 @@ Gid gid_of(const Participant::Guid& guid) {
 template <class Gid>
 std::vector<Gid> gids_of(const std::vector<Participant::Guid>& guids) {
   std::vector<Gid> gids;
+  gids.reserve(guids.size());
   for (const Participant::Guid& each : guids) gids.push_back(gid_of<Gid>(each));
   return gids;
 }

@@ -61,7 +61,9 @@ bool take_sections(const YAML::Node& map, const std::string& space, Arguments& a
   bool found = false;
   for (const auto& entry : map) {
     const std::string name = entry.first.Scalar();
-    const std::string section = !name.empty() && name.front() == '/' ? space + name : space + '/' + name;
+    std::string section = space;
+    if (name.empty() || name.front() != '/') section += '/';
+    section += name;
     if (!entry.second.IsMap()) continue;
     const YAML::Node values = entry.second["ros__parameters"];
     if (!values.IsDefined()) {

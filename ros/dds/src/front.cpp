@@ -87,8 +87,7 @@ void Front::now_and_then() {
   if (passed < next_second_) return;
   next_second_ = passed + 1.0;
   publish_state();
-  for (const auto& [topic, promised, wanted] : participant_.unheard())
-    tell(Severity::warning, topic + ": somebody publishes it " + promised + ", and is not heard: it must be " + wanted);
+  for (const std::string& line : participant_.unheard()) tell(Severity::warning, line);
 }
 
 void Front::publish_state() {

@@ -41,10 +41,10 @@ Qos ros_participant() {
   return qos;
 }
 
-Participant::Unheard unheard_by(std::uint32_t policy, const std::string& topic) {
-  if (policy == DDS_RELIABILITY_QOS_POLICY_ID) return {topic, "best effort", "reliable"};
-  if (policy == DDS_DURABILITY_QOS_POLICY_ID) return {topic, "volatile", "transient local"};
-  return {topic, "with less than we ask for", "the usual quality"};
+std::string unheard_by(std::uint32_t policy) {
+  if (policy == DDS_RELIABILITY_QOS_POLICY_ID) return "best effort, and is not heard: it must be reliable";
+  if (policy == DDS_DURABILITY_QOS_POLICY_ID) return "volatile, and is not heard: it must be transient local";
+  return "with less than we ask for, and is not heard";
 }
 
 Participant::Guid guid_of(dds_entity_t entity) {
@@ -89,15 +89,15 @@ void Participant::wait(double seconds) {
   dds_waitset_wait(waitset_, nullptr, 0, static_cast<dds_duration_t>(seconds * 1e9));
 }
 
-std::vector<Participant::Unheard> Participant::unheard() const {
-  std::vector<Unheard> topics;
+std::vector<std::string> Participant::unheard() const {
+  std::vector<std::string> lines;
   for (const Reader& each : readers_) {
     dds_requested_incompatible_qos_status_t status;
     if (dds_get_requested_incompatible_qos_status(each.reader, &status) == DDS_RETCODE_OK &&
         status.total_count_change > 0)
-      topics.push_back(unheard_by(status.last_policy_id, each.topic));
+      lines.push_back(each.topic + ": somebody publishes it " + unheard_by(status.last_policy_id));
   }
-  return topics;
+  return lines;
 }
 
 Participant::Guid Participant::guid() const { return guid_of(participant_); }

@@ -37,11 +37,8 @@ class Participant {
   dds_entity_t plain_writer(const dds_topic_descriptor_t& type, const std::string& topic, const Quality& quality);
   /// Until a message has come for a reader, or so long.
   void wait(double seconds);
-  /// Topics whose writers promise less than we ask for, since the last call, and what it is.
-  struct Unheard {
-    std::string topic, promised, wanted;
-  };
-  std::vector<Unheard> unheard() const;
+  /// Who has come since the last call and promises less than we ask for, in words.
+  std::vector<std::string> unheard() const;
 
   using Guid = std::array<std::uint8_t, 16>;
   /// Who it is on the wire, and who its readers and writers of ROS 2's topics are.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -150,11 +148,14 @@ constexpr Unused unused[] = {{"min_particles", no_particles},
                              {"allow_parameter_qos_overrides", fixed_quality},
                              {"qos_overrides.*", fixed_quality}};
 
-bool is_named(const Unused& other, std::string_view name) {
-  const std::string_view all = other.name;
-  if (all.back() != '*') return name == all;
-  const std::string_view beginning = all.substr(0, all.size() - 1);
-  return name.substr(0, beginning.size()) == beginning;
+const Unused* unused_of(std::string_view name) {
+  for (const Unused& other : unused) {
+    const std::string_view all = other.name;
+    const bool stands_for_many = all.back() == '*';
+    if (name == all || (stands_for_many && name.substr(0, all.size() - 1) == all.substr(0, all.size() - 1)))
+      return &other;
+  }
+  return nullptr;
 }
 
 /// amcl's names for what has another one here, or other values.
@@ -192,6 +193,12 @@ std::string type_of(const Place& place) {
 const Entry* entry_of(std::string_view name) {
   for (const Entry& entry : entries())
     if (name == entry.name) return &entry;
+  return nullptr;
+}
+
+const Alias* alias_of(std::string_view name) {
+  for (const Alias& alias : aliases)
+    if (name == alias.name) return &alias;
   return nullptr;
 }
 
@@ -315,16 +322,12 @@ std::vector<std::pair<std::string, std::string>> parameters_without_use() {
 NodeOptions options_from(const Values& values, std::vector<std::string>& warnings) {
   NodeOptions options;
   for (const auto& [name, value] : values) {
-    const auto alias = std::find_if(std::begin(aliases), std::end(aliases),
-                                    [&](const Alias& each) { return each.name == std::string_view(name); });
-    const auto without_use =
-        std::find_if(std::begin(unused), std::end(unused), [&](const Unused& each) { return is_named(each, name); });
-    if (alias != std::end(aliases))
+    if (const Alias* const alias = alias_of(name))
       choose_by(*alias, value, options);
     else if (const Entry* const entry = entry_of(name))
       choose(*entry, value, options);
-    else if (without_use != std::end(unused))
-      warnings.push_back("parameter '" + name + "' has no use here: " + without_use->why);
+    else if (const Unused* const other = unused_of(name))
+      warnings.push_back("parameter '" + name + "' has no use here: " + other->why);
     else
       refuse_name(name);
   }
