@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
-#include <optional>
+#include <iterator>
+#include <string_view>
 #include <system_error>
 #include <yaml-cpp/yaml.h>
 
@@ -120,6 +122,18 @@ void remap(const std::string& word, Arguments& arguments) {
     arguments.names.remapped.emplace_back(from, to);
 }
 
+/// ROS 2's words that mean nothing to a node without a log file and without security.
+bool is_idle(std::string_view word) {
+  return word == "--ros-args" || word == "--" ||
+         (word.ends_with("-logs") && (word.starts_with("--enable-") || word.starts_with("--disable-")));
+}
+
+bool wants_value(std::string_view word) {
+  constexpr std::string_view all[] = {"-p", "--param",   "-r",          "--remap",         "--params-file",
+                                      "-e", "--enclave", "--log-level", "--log-file-name", "--log-config-file"};
+  return std::find(std::begin(all), std::end(all), word) != std::end(all);
+}
+
 }  // namespace
 
 Arguments arguments_from(const std::vector<std::string>& words) {
@@ -127,15 +141,12 @@ Arguments arguments_from(const std::vector<std::string>& words) {
   std::vector<std::pair<std::string, std::string>> given;
   for (std::size_t k = 0; k < words.size(); ++k) {
     const std::string& word = words[k];
-    const bool is_of_one_word = word == "--ros-args" || word == "--";
-    if (is_of_one_word) continue;
+    if (is_idle(word)) continue;
     if (word == "--parameters") {
       arguments.print_parameters = true;
       continue;
     }
-    const bool has_value = word == "-p" || word == "--param" || word == "-r" || word == "--remap" ||
-                           word == "--params-file" || word == "--log-level";
-    if (!has_value)
+    if (!wants_value(word))
       throw Error("'" + word + "' means nothing here", "command line",
                   "--ros-args -p NAME:=VALUE --params-file FILE.yaml -r FROM:=TO, or --parameters");
     if (k + 1 == words.size()) throw Error("'" + word + "' wants a word after it", "command line");

@@ -5,6 +5,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 NODE = os.environ.get("SLAMICP_DDS", "slamicp_dds")
@@ -110,6 +111,12 @@ class DdsTest(unittest.TestCase):
     def log(self):
         return (self.folder / "log").read_text()
 
+    def wait_for_log(self, line):
+        end = time.monotonic() + 30
+        while line not in self.log():
+            self.assertLess(time.monotonic(), end, self.log())
+            time.sleep(0.05)
+
     def start_at_start(self, *words):
         x, y, theta = self.peer("start").split()
         return self.start("-p", "odometry_wait:=10.0", "-p", "scan_timeout:=1000", "-p", f"initial_pose_x:={x}",
@@ -163,7 +170,8 @@ class DdsTest(unittest.TestCase):
         parameters = self.folder / "nav2_params.yaml"
         parameters.write_text(NAV2.format(x=x, y=y, yaw=theta))
         self.start("--params-file", parameters, "-r", "__node:=amcl", "-p", "odometry_wait:=10.0", "-p",
-                   "scan_timeout:=1000", "-r", "front/scan:=scan", "-r", "building:=/map")
+                   "scan_timeout:=1000", "-r", "front/scan:=scan", "-r", "building:=/map", "--enclave", "/", "--log-level",
+                   "amcl:=info", "--enable-rosout-logs")
         self.assertIn("agree: 30 scans", self.peer("amcl"))
         self.assertIn("'sigma_hit' has no use here", self.log())
         self.assertNotIn("'scan_topic'", self.log())
@@ -185,9 +193,8 @@ class DdsTest(unittest.TestCase):
     def test_who_promises_less_is_not_heard_and_told_of(self):
         self.start()
         self.peer("lesser")
-        log = self.log()
-        self.assertIn("/tf: somebody publishes it best effort, and is not heard: it must be reliable", log)
-        self.assertIn("/map: somebody publishes it volatile, and is not heard: it must be transient local", log)
+        self.wait_for_log("/tf: somebody publishes it best effort, and is not heard: it must be reliable")
+        self.wait_for_log("/map: somebody publishes it volatile, and is not heard: it must be transient local")
 
     def test_what_it_does_not_know_is_refused(self):
         self.assertIn("'odom_frame_id'", self.refused("-p", "odom_frame:=odom"), "the nearest name")
