@@ -30,23 +30,15 @@
 
 #include "cdr.hpp"
 #include "fast_dds.hpp"
+#include "room.hpp"
 
 namespace slamicp::dds_peer {
 namespace {
 
+using node::room;
 using node::Stamp;
 
 constexpr Stamp before{999500000000};  // the first scan
-
-/// A room of 12 m x 8 m with a thing or two in it.
-World room() {
-  World world;
-  const auto wall = [&](double ax, double ay, double bx, double by) { world.walls.push_back({{ax, ay}, {bx, by}}); };
-  wall(0, 0, 12, 0), wall(12, 0, 12, 8), wall(12, 8, 0, 8), wall(0, 8, 0, 0);
-  wall(4, 0, 4, 2), wall(8, 8, 8, 6.5), wall(8, 6.5, 10, 6.5);
-  world.pillars.push_back({{3.0, 6.0}, 0.3});
-  return world;
-}
 
 /// What the map does not have stands beside the way.
 SimulatedRun drive() {
