@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,8 @@
 namespace slamicp {
 namespace {
 
-constexpr double farthest = 0.3;  // between a thing and what was made of it [m]
+constexpr double farthest = 0.3;     // between a thing and what was made of it [m]
+constexpr double on_a_line = 1e-14;  // determinant of the mean of rows of length sqrt(2): an arc of half a degree
 
 }  // namespace
 
@@ -21,19 +22,18 @@ std::optional<Circle> fit_circle(PointView<2> points) {
   for (std::size_t i = 0; i < points.size(); ++i) circle.radius += (points[i] - mean).norm() / count;
 
   for (int iteration = 0; iteration < 100; ++iteration) {
-    Matrix<3, 3> information = Matrix<3, 3>::Zero();
-    Vector<3> gradient = Vector<3>::Zero();
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vector<2> off = points[i] - circle.centre;
       const double distance = off.norm();
       if (!(distance > 0.0)) continue;
-      const Vector<3> jacobian(-off.x() / distance, -off.y() / distance, -1.0);
-      information += jacobian * jacobian.transpose();
-      gradient += (distance - circle.radius) * jacobian;
+      const Eigen::Vector3d jacobian(-off.x() / distance, -off.y() / distance, -1.0);
+      information += jacobian * jacobian.transpose() / count;
+      gradient += (distance - circle.radius) / count * jacobian;
     }
-    const auto solver = information.ldlt();
-    if (!(solver.vectorD().minCoeff() > 1e-9 * count)) return std::nullopt;  // on a line
-    const Vector<3> step = -solver.solve(gradient);
+    if (!(information.determinant() > on_a_line)) return std::nullopt;
+    const Eigen::Vector3d step = -information.inverse() * gradient;
     circle.centre += step.head<2>();
     circle.radius += step[2];
     if (step.norm() < 1e-7) return circle.radius > 0.0 ? std::optional(circle) : std::nullopt;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/symmetric_eigen.hpp"
+
 namespace slamicp {
 namespace {
 
@@ -14,6 +16,25 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double infinite_sigma = std::numeric_limits<double>::infinity();
+
+// Such products stand here once each: Eigen makes types of their own for every expression, which take a while to
+// compile.
+
+/// Turns count by what they move at the reach.
+Vector3d by_reach(double reach) noexcept { return {1.0, 1.0, 1.0 / reach}; }
+
+/// diag(scale) square diag(scale)
+Matrix3d scaled_by(const Vector3d& scale, const Matrix3d& square) noexcept {
+  return square.cwiseProduct(scale * scale.transpose());
+}
+
+/// left square left^T
+Matrix3d seen_by(const Matrix3d& left, const Matrix3d& square) noexcept {
+  const Matrix3d half = left * square;
+  return half * left.transpose();
+}
+
+Matrix3d square_of(const Vector3d& direction) noexcept { return direction * direction.transpose(); }
 
 /// What a point-to-point match would hold: directions along the walls as well as across.
 Matrix3d held_by_points(const NoiseSums& sums) noexcept {
@@ -54,28 +75,30 @@ bool all_held(const Matrix3d& scaled, double least) noexcept {
 
 Held held_part(const Matrix3d& information, const Matrix3d& debiased, double least, double reach) noexcept {
   constexpr double blind_share = 1e-5;  // of the strongest, for maps without noise
-  const Vector3d scale(1.0, 1.0, 1.0 / reach);
-  const Matrix3d scaled = scale.asDiagonal() * debiased * scale.asDiagonal();
+  const Vector3d scale = by_reach(reach);
+  const Matrix3d scaled = scaled_by(scale, debiased);
   least = std::max(least, blind_share * scaled.trace());
   if (all_held(scaled, least)) return {debiased, information, debiased.inverse()};
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(scaled);
+  const SymmetricEigen<3> eigen(scaled);
   Held held{Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()};
   Matrix3d keep = Matrix3d::Zero();
   for (int k = 0; k < 3; ++k) {
-    const double value = eigen.eigenvalues()[k];
-    const Vector3d direction = eigen.eigenvectors().col(k);
+    const double value = eigen.values[k];
+    const Vector3d direction = eigen.vectors.col(k);
     if (!(value > least)) {
       held.direction = held.blind ? Vector3d::Zero() : direction;
       held.blind = true;
       continue;
     }
-    const Vector3d unscaled = direction.cwiseQuotient(scale);
-    held.debiased += value * unscaled * unscaled.transpose();
-    held.inverse += Matrix3d(scale.asDiagonal() * (direction * direction.transpose()) * scale.asDiagonal()) / value;
-    keep += direction * direction.transpose();
+    const Matrix3d square = square_of(direction);
+    held.debiased += value * square;
+    held.inverse += square / value;
+    keep += square;
   }
-  const Matrix3d unscaled_keep = scale.asDiagonal() * keep * scale.cwiseInverse().asDiagonal();
-  held.plain = unscaled_keep.transpose() * information * unscaled_keep;
+  const Vector3d unscale = scale.cwiseInverse();
+  held.debiased = scaled_by(unscale, held.debiased);
+  held.inverse = scaled_by(scale, held.inverse);
+  held.plain = scaled_by(unscale, seen_by(keep, scaled_by(scale, information)));
   return held;
 }
 
@@ -87,31 +110,31 @@ double range_variance(const NoiseSums& sums, const NoiseModel& model, double exp
   return std::max(least, of_ranges / sums.squared_cosines);
 }
 
+/// A sum of squares, where it is singular almost as it is.
+Matrix3d regular(const Matrix3d& square) noexcept {
+  return square + (1e-9 * square.trace() + 1e-30) * Matrix3d::Identity();
+}
+
 /// The inverse of a sum of squares, also where it is singular: there nothing else is asked for.
 Matrix3d safe_inverse(const Matrix3d& square, double reach) noexcept {
-  const Vector3d scale(1.0, 1.0, 1.0 / reach);
-  Matrix3d scaled = scale.asDiagonal() * square * scale.asDiagonal();
-  scaled.diagonal().array() += 1e-9 * scaled.trace() + 1e-30;
-  return scale.asDiagonal() * scaled.inverse() * scale.asDiagonal();
+  const Vector3d scale = by_reach(reach);
+  return scaled_by(scale, regular(scaled_by(scale, square)).inverse());
 }
 
 /// What noise explains of the pairs' pulls, and what it does not: in a direction in which neighbouring pairs pull
 /// together more than they should, as much as they do.
 Matrix3d with_misfit(const Matrix3d& noise, const Matrix3d& together, double reach, double& misfit) noexcept {
   misfit = 1.0;
-  const Vector3d scale(1.0, 1.0, 1.0 / reach);
-  Matrix3d scaled = scale.asDiagonal() * noise * scale.asDiagonal();
-  scaled.diagonal().array() += 1e-9 * scaled.trace() + 1e-30;
-  const Eigen::LLT<Matrix3d> root(scaled);
+  const Vector3d scale = by_reach(reach);
+  const Eigen::LLT<Matrix3d> root(regular(scaled_by(scale, noise)));
   const Matrix3d lower = root.matrixL();
-  const Matrix3d whiten = lower.inverse() * scale.asDiagonal();
   Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
-  eigen.computeDirect(whiten * together * whiten.transpose());
+  eigen.computeDirect(seen_by(lower.inverse(), scaled_by(scale, together)));
   const Vector3d more = (eigen.eigenvalues().array() - 1.0).max(0.0);
   misfit = 1.0 + more.sum() / 3.0;
   if (!(misfit > 1.0)) return noise;
-  const Matrix3d back = scale.cwiseInverse().asDiagonal() * lower * eigen.eigenvectors();
-  return noise + back * more.asDiagonal() * back.transpose();
+  const Matrix3d back = lower * eigen.eigenvectors();
+  return noise + scaled_by(scale.cwiseInverse(), seen_by(back, more.asDiagonal()));
 }
 
 /// The Schur complements of the rotation and of the translation.
@@ -152,7 +175,7 @@ void NoiseSums::pull(const Vector3d& pull) noexcept {
 
 void NoiseSums::close_group() noexcept {
   const Matrix3d common = group_ * last_group_.transpose();
-  together += group_ * group_.transpose() + 0.5 * (common + common.transpose());
+  together += square_of(group_) + 0.5 * (common + common.transpose());
   last_group_ = group_;
   group_.setZero();
   in_group_ = 0;
@@ -165,7 +188,7 @@ void add_noise(const NoiseModel& model, const Point2& in_robot, const Vector<2>&
   const double off_wall = std::abs(normal.dot(ray));
   const double cosine2 = off_wall * off_wall / range2;
   const double shared = std::max(1.0, model.sharing() * off_wall / range2);
-  const Matrix3d square = weight * weight * jacobian * jacobian.transpose();
+  const Matrix3d square = square_of(weight * jacobian);
   sums.by_range += cosine2 * square;
   sums.by_map += shared * square;
   sums.pull(weight * residual * jacobian);
@@ -200,13 +223,13 @@ Assessment assess(const Matrix3d& information, const Vector3d& gradient, const N
   const Matrix3d inverse_noise = safe_inverse(noise, reach);
 
   result.weighting = held.debiased * inverse_noise;
-  result.weighted = held.plain * inverse_noise * held.plain;
-  told.information = held.debiased * inverse_noise * held.debiased;
-  told.covariance = held.inverse * noise * held.inverse;
-  told.systematic = held.inverse * (noise - by_range) * held.inverse;
+  result.weighted = seen_by(held.plain, inverse_noise);
+  told.information = seen_by(held.debiased, inverse_noise);
+  told.covariance = seen_by(held.inverse, noise);
+  told.systematic = seen_by(held.inverse, noise - by_range);
   if (held.blind) {
     const Matrix3d nothing = Matrix3d::Identity() - held.inverse * held.debiased;
-    told.unheld = Uncertainty::unheld_variance * nothing * nothing.transpose();
+    told.unheld = seen_by(nothing, Uncertainty::unheld_variance * Matrix3d::Identity());
     told.covariance += told.unheld;
   }
   tell_weakest(told);
@@ -215,25 +238,25 @@ Assessment assess(const Matrix3d& information, const Vector3d& gradient, const N
 
 void align_blind_direction(const Matrix3d& prior_information, double reach, Assessment& pairs) noexcept {
   if (!(pairs.blind.squaredNorm() > 0.5)) return;
-  const Vector3d scale(1.0, 1.0, 1.0 / reach);
-  const Matrix3d prior =
-      scale.cwiseInverse().asDiagonal() * prior_information.inverse() * scale.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(prior);
+  const Vector3d scale = by_reach(reach), unscale = scale.cwiseInverse();
+  Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
+  eigen.computeDirect(scaled_by(unscale, prior_information.inverse()));
   constexpr double by_far = 25.0;  // in variance
   constexpr double alike = 0.99;   // cosine
   const Vector3d direction = eigen.eigenvectors().col(2);
   if (!(eigen.eigenvalues()[2] > by_far * eigen.eigenvalues()[1])) return;
   if (!(std::abs(direction.dot(pairs.blind)) > alike)) return;
-  const Matrix3d along = direction * direction.transpose();
-  const Matrix3d keep = scale.asDiagonal() * (Matrix3d::Identity() - along) * scale.cwiseInverse().asDiagonal();
+  const Matrix3d along = square_of(direction);
+  const Matrix3d keep = (Matrix3d::Identity() - along).cwiseProduct(scale * unscale.transpose());
+  const Matrix3d kept_by = keep.transpose();
   Uncertainty& told = pairs.uncertainty;
-  pairs.weighting = keep.transpose() * pairs.weighting;
-  pairs.weighted = keep.transpose() * pairs.weighted * keep;
+  pairs.weighting = kept_by * pairs.weighting;
+  pairs.weighted = seen_by(kept_by, pairs.weighted);
   const Matrix3d held = told.covariance - told.unheld;
-  told.information = keep.transpose() * told.information * keep;
-  told.systematic = keep * told.systematic * keep.transpose();
-  told.unheld = Uncertainty::unheld_variance * scale.asDiagonal() * along * scale.asDiagonal();
-  told.covariance = keep * held * keep.transpose() + Matrix3d(told.unheld);
+  told.information = seen_by(kept_by, told.information);
+  told.systematic = seen_by(keep, told.systematic);
+  told.unheld = Uncertainty::unheld_variance * scaled_by(scale, along);
+  told.covariance = seen_by(keep, held) + told.unheld;
   tell_weakest(told);
 }
 
