@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # clean_root.sh DEBS: a clean Debian that has a compiler and our packages from the folder DEBS, nothing else of ours.
 # README's C++ example is built there and run, by CMake and by pkg-config, with shared and with static libraries; C and
-# Python too. Needs root and debootstrap. The clean Debian is kept in build/clean-root.tar: the next time no mirror is
+# Python too. Needs root and mmdebstrap. The clean Debian is kept in build/clean-root.tar: the next time no mirror is
 # asked.
 set -euo pipefail
 debs=$(realpath "$1")
@@ -28,20 +28,18 @@ wanted=$(packages_of_debian | sort -u | paste -sd,)
 if [[ ! -f $tar || $(cat "$tar.packages" 2>/dev/null) != "$wanted" ]]; then
   echo "making a clean Debian $suite from $mirror"
   rm -rf "$root"
-  if ! debootstrap --variant=minbase --include="$wanted" "$suite" "$root" "$mirror" >build/clean-root.log 2>&1; then
+  if ! mmdebstrap --variant=minbase --dpkgopt=force-unsafe-io --include="$wanted" "$suite" "$tar.part.tar" "$mirror" \
+    >build/clean-root.log 2>&1; then
     tail -5 build/clean-root.log >&2
-    echo "No clean Debian: debootstrap could not make one from $mirror (build/clean-root.log)." >&2
+    echo "No clean Debian: mmdebstrap could not make one from $mirror (build/clean-root.log)." >&2
     exit 1
   fi
-  rm -rf "$root"/var/cache/apt/archives/*.deb "$root"/var/lib/apt/lists/*
-  tar -C "$root" -cf "$tar.part" .
-  mv "$tar.part" "$tar"
+  mv "$tar.part.tar" "$tar"
   echo "$wanted" >"$tar.packages"
-else
-  rm -rf "$root"
-  mkdir "$root"
-  tar -C "$root" -xf "$tar"
 fi
+rm -rf "$root"
+mkdir "$root"
+tar -C "$root" -xf "$tar"
 
 mkdir "$root/work"
 cp "$debs"/*.deb examples/localize_log.cpp examples/align_clouds.cpp bindings/c/examples/localize.c "$root/work"

@@ -113,7 +113,7 @@ file                 which files are programs
 fakeroot             packages belong to root
 help2man             manual pages
 lintian              what is wrong with a package
-debootstrap          a clean root to try them in
+mmdebstrap           a clean root to try them in
 zip                  packs what is for Windows
 git                  which files are the sources
 "
