@@ -7,6 +7,9 @@
 
 namespace slamicp {
 
+/// Alike in all directions. @param sigma  [m] or [m/s]
+inline Matrix<2, 2> round_noise(double sigma) noexcept { return sigma * sigma * Matrix<2, 2>::Identity(); }
+
 /// A place that is measured and a velocity that follows: a Kalman filter whose acceleration is white noise (Bar-Shalom,
 /// Li, Kirubarajan 2001, section 6.2.2).
 struct ConstantVelocity {
@@ -46,7 +49,7 @@ struct ConstantVelocity {
   void halt() noexcept {
     velocity.setZero();
     of_both.setZero();
-    of_velocity = 0.01 * Matrix<2, 2>::Identity();  // (0.1 m/s)^2
+    of_velocity = round_noise(0.1);
   }
 };
 

@@ -8,22 +8,20 @@
 
 #include "obstacles/assignment.hpp"
 #include "obstacles/followed.hpp"
+#include "obstacles/people.hpp"
 
 namespace slamicp {
 namespace {
 
 constexpr double seconds_between_tests = 0.1;
-constexpr double foot_spread = 0.22;       // of one foot around the middle of both, 1 sigma [m]
-constexpr double fastest = 3.0;            // that a thing is while nobody sees it, a swinging leg too [m/s]
-constexpr double farthest_jump = 1.2;      // between where a thing is thought and where it is seen [m]
-constexpr double nearest_jump = 0.2;       // that it may always make [m]
-constexpr double step_between_legs = 0.8;  // at most [m]
-constexpr double first_speed = 1.2;        // of what is new, 1 sigma [m/s]
+constexpr double foot_spread = 0.22;   // of one foot around the middle of both, 1 sigma [m]
+constexpr double fastest = 3.0;        // that a thing is while nobody sees it, a swinging leg too [m/s]
+constexpr double farthest_jump = 1.2;  // between where a thing is thought and where it is seen [m]
+constexpr double nearest_jump = 0.2;   // that it may always make [m]
+constexpr double first_speed = 1.2;    // of what is new, 1 sigma [m/s]
 
 /// Above all costs of pairs.
 double cost_of_none(const ObstacleTrackerOptions& options) noexcept { return options.gate + 20.0; }
-
-Matrix<2, 2> round_noise(double sigma) noexcept { return sigma * sigma * Matrix<2, 2>::Identity(); }
 
 /// How far a detection may be off what it is of: of somebody one foot only may be seen.
 Matrix<2, 2> spread_of(const Followed& it, const Detection& seen) noexcept {
@@ -69,10 +67,6 @@ struct ObstacleTracker::State {
   void name(Followed& it) const noexcept;
   void begin() noexcept;
   void test(const LaserView& now, const ViewErrors& errors) noexcept;
-  void give_second_legs() noexcept;
-  void find_people() noexcept;
-  Followed* leg_beside(const Followed& leg) noexcept;
-  void join(Followed& a, Followed& b) noexcept;
   void keep_view(const LaserView& now) noexcept;
   bool is_over(const Followed& it) const noexcept;
   void show() noexcept;
@@ -261,91 +255,6 @@ void ObstacleTracker::State::test(const LaserView& now, const ViewErrors& errors
   }
 }
 
-/// The nearest other leg that is no step too far, or somebody of whom one leg is seen.
-Followed* ObstacleTracker::State::leg_beside(const Followed& leg) noexcept {
-  Followed* nearest = nullptr;
-  double least = step_between_legs;
-  for (Followed& it : followed) {
-    if (&it == &leg || !it.seen_at(stamp) || it.shown.state != TrackState::confirmed) continue;
-    if (it.is_person() ? it.shown.obstacles[1] >= 0 : it.shown.width > widest_leg) continue;
-    if (!it.ever_moved && it.shown.motion == TrackMotion::still) continue;  // a post
-    if (!it.is_person() && it.shown.width < 1.6 * least_leg) continue;      // too thin
-    const double distance = (it.motion.position - leg.motion.position).norm();
-    if (distance >= least) continue;
-    least = distance;
-    nearest = &it;
-  }
-  return nearest;
-}
-
-/// Somebody of whom one leg is seen, and a leg beside them that nothing is known of: it is theirs.
-void ObstacleTracker::State::give_second_legs() noexcept {
-  constexpr double apart = 0.5;  // at most, from the middle of both [m]
-  for (std::size_t k = 0; k < followed.size(); ++k) {
-    if (!followed[k].is_person() || !followed[k].seen_at(stamp) || followed[k].shown.obstacles[1] >= 0) continue;
-    const auto leg = std::find_if(followed.begin(), followed.end(), [&](const Followed& it) {
-      return !it.is_person() && it.seen_at(stamp) && it.shown.width <= widest_leg &&
-             it.shown.motion != TrackMotion::still && (it.motion.position - followed[k].motion.position).norm() < apart;
-    });
-    if (leg == followed.end()) continue;
-    followed[k].shown.obstacles[1] = leg->shown.obstacles[0];
-    const auto at = static_cast<std::size_t>(leg - followed.begin());
-    followed.erase(leg);
-    if (at <= k) --k;
-  }
-}
-
-/// Two legs that stay together while they move are somebody.
-void ObstacleTracker::State::find_people() noexcept {
-  constexpr int tests = 3;
-  constexpr double way = 0.15;  // that the two have come [m]
-  if (stamp < next_pairing) return;
-  next_pairing = stamp + seconds_between_tests;
-  give_second_legs();
-  for (std::size_t k = 0; k < followed.size(); ++k) {
-    Followed& leg = followed[k];
-    if (leg.shown.kind != TrackKind::leg || !leg.moves() || !leg.seen_at(stamp)) continue;
-    Followed* other = leg_beside(leg);
-    if (other == nullptr) {
-      leg.partner = 0;
-      continue;
-    }
-    const Point2 middle = 0.5 * (leg.motion.position + other->motion.position);
-    if (!other->is_person()) other->shown.kind = TrackKind::leg;
-    other->beside = stamp;
-    if (leg.partner != other->shown.id) {
-      leg.partner = other->shown.id;
-      leg.together = 0;
-      leg.met = middle;
-    }
-    if (++leg.together < tests || (middle - leg.met).norm() < way) continue;
-    join(leg, *other);
-    return;  // the others next time: tracks have changed places
-  }
-}
-
-/// Makes one track of two; the one that was there first, or is somebody already, stays.
-void ObstacleTracker::State::join(Followed& a, Followed& b) noexcept {
-  const bool a_stays = a.is_person() || (!b.is_person() && a.shown.id < b.shown.id);
-  Followed& stays = a_stays ? a : b;
-  const Followed& goes = a_stays ? b : a;
-  if (!stays.is_person()) {
-    stays.shown.kind = TrackKind::person;
-    stays.motion.position = 0.5 * (stays.motion.position + goes.motion.position);
-    stays.motion.velocity = 0.5 * (stays.motion.velocity + goes.motion.velocity);
-    stays.motion.of_position += round_noise(0.05);
-    stays.motion.of_both.setZero();
-    stays.motion.of_velocity = round_noise(0.5);
-  }
-  stays.ever_moved = true;
-  stays.reached = std::max(stays.reached, step_between_legs);  // two of them went along
-  stays.shown.motion = TrackMotion::moving;
-  stays.last_moved = std::max(stays.last_moved, goes.last_moved);
-  stays.shown.obstacles[1] = goes.shown.obstacles[0];
-  stays.partner = 0;
-  followed.erase(followed.begin() + (&goes - followed.data()));
-}
-
 void ObstacleTracker::State::keep_view(const LaserView& now) noexcept {
   const int slot = views.keep(now, stamp);
   if (slot < 0) return;
@@ -411,7 +320,10 @@ std::span<const Track> ObstacleTracker::update(const Fix& fix, const LaserScan& 
   state.begin();
   if (knows_where) {
     state.test(now, errors_of(fix));
-    state.find_people();
+    if (state.stamp >= state.next_pairing) {
+      state.next_pairing = state.stamp + seconds_between_tests;
+      find_people(state.followed, state.stamp);
+    }
     state.keep_view(now);
   }
   state.show();

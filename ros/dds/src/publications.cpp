@@ -2,6 +2,7 @@
 #include "publications.hpp"
 
 #include <algorithm>
+#include <slamicp_node/fields.hpp>
 #include <slamicp_node/marker.hpp>
 
 #include "conversions.hpp"
@@ -30,19 +31,9 @@ sensor_msgs_msg_dds__PointField_ field(const char* name, std::uint32_t offset) {
 
 slamicp_msgs_msg_dds__Obstacle_ to_dds(const Obstacle& obstacle) {
   slamicp_msgs_msg_dds__Obstacle_ told{};
-  told.id = obstacle.id;
+  fill_numbers(obstacle, told);
   told.kind = lend(obstacle.kind);
   told.state = lend(obstacle.state);
-  told.x = obstacle.x;
-  told.y = obstacle.y;
-  told.heading = obstacle.heading;
-  told.width = obstacle.width;
-  told.depth = obstacle.depth;
-  told.radius = obstacle.radius;
-  told.velocity_x = obstacle.velocity_x;
-  told.velocity_y = obstacle.velocity_y;
-  told.distance = obstacle.distance;
-  told.points = obstacle.points;
   return told;
 }
 
@@ -172,27 +163,11 @@ void Publications::publish(const Status& status, const Stamp& stamp) {
   if (!is_heard(status_)) return;
   slamicp_msgs_msg_dds__Status_ message{};
   message.header = header(stamp, frame_);
+  fill_numbers(status, message);
   message.state = lend(to_string(status.state));
   message.tracking = lend(status.tracking);
   message.stop = lend(status.stop);
-  message.usable = status.usable;
-  message.probability = status.probability;
-  message.awareness = status.awareness;
-  message.blind = status.blind;
-  message.blind_x = status.blind_x;
-  message.blind_y = status.blind_y;
   message.carried_by = lend(status.carried_by);
-  message.points = status.points;
-  message.inliers = status.inliers;
-  message.outliers = status.outliers;
-  message.iterations = status.iterations;
-  message.localization_seconds = status.localization_seconds;
-  message.obstacle_seconds = status.obstacle_seconds;
-  message.waited = status.waited;
-  message.had_odometry = status.had_odometry;
-  message.scans = status.scans;
-  message.dropped = status.dropped;
-  message.recoveries = status.recoveries;
   dds_write(status_, &message);
 }
 

@@ -3,19 +3,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <slamicp_node/fields.hpp>
 #include <slamicp_node/marker.hpp>
 
 namespace slamicp::node {
 namespace {
-
-template <class Vector>
-Position position_of(const Vector& vector) {
-  return {vector.x, vector.y, vector.z};
-}
-
-Quaternion quaternion_of(const geometry_msgs::Quaternion& quaternion) {
-  return {quaternion.x, quaternion.y, quaternion.z, quaternion.w};
-}
 
 geometry_msgs::Quaternion to_ros(const Quaternion& quaternion) {
   geometry_msgs::Quaternion message;
@@ -61,46 +53,21 @@ ros::Time to_ros(const Stamp& stamp) {
 }
 
 Transform from_ros(const geometry_msgs::TransformStamped& message) {
-  return {stamp_of(message.header.stamp), message.header.frame_id, message.child_frame_id,
-          position_of(message.transform.translation), quaternion_of(message.transform.rotation)};
+  return transform_of(message, stamp_of(message.header.stamp));
 }
 
-Odometry from_ros(const nav_msgs::Odometry& message) {
-  return {stamp_of(message.header.stamp), message.header.frame_id, message.child_frame_id,
-          position_of(message.pose.pose.position), quaternion_of(message.pose.pose.orientation)};
-}
+Odometry from_ros(const nav_msgs::Odometry& message) { return odometry_of(message, stamp_of(message.header.stamp)); }
 
 Scan from_ros(const sensor_msgs::LaserScan& message) {
-  Scan scan;
-  scan.stamp = stamp_of(message.header.stamp);
-  scan.frame = message.header.frame_id;
-  scan.angle_min = message.angle_min;
-  scan.angle_increment = message.angle_increment;
-  scan.time_increment = message.time_increment;
-  scan.scan_time = message.scan_time;
-  scan.range_min = message.range_min;
-  scan.range_max = message.range_max;
-  scan.ranges = message.ranges.data();
-  scan.count = message.ranges.size();
-  return scan;
+  return scan_of(message, stamp_of(message.header.stamp), message.ranges.data(), message.ranges.size());
 }
 
 Grid from_ros(const nav_msgs::OccupancyGrid& message) {
-  Grid grid;
-  grid.stamp = stamp_of(message.header.stamp);
-  grid.frame = message.header.frame_id;
-  grid.resolution = static_cast<double>(message.info.resolution);
-  grid.width = static_cast<int>(message.info.width);
-  grid.height = static_cast<int>(message.info.height);
-  grid.origin = position_of(message.info.origin.position);
-  grid.orientation = quaternion_of(message.info.origin.orientation);
-  grid.cells = message.data;
-  return grid;
+  return grid_of(message, stamp_of(message.header.stamp), message.data);
 }
 
 GivenPose from_ros(const geometry_msgs::PoseWithCovarianceStamped& message) {
-  return {stamp_of(message.header.stamp), message.header.frame_id, position_of(message.pose.pose.position),
-          quaternion_of(message.pose.pose.orientation)};
+  return given_pose_of(message, stamp_of(message.header.stamp));
 }
 
 geometry_msgs::PoseWithCovarianceStamped pose_to_ros(const Output& output, const std::string& frame) {
@@ -147,19 +114,9 @@ slamicp_msgs::Obstacles obstacles_to_ros(const Output& output, const std::string
   message.header.frame_id = frame;
   for (const Obstacle& obstacle : output.obstacles) {
     slamicp_msgs::Obstacle told;
-    told.id = obstacle.id;
+    fill_numbers(obstacle, told);
     told.kind = obstacle.kind;
     told.state = obstacle.state;
-    told.x = obstacle.x;
-    told.y = obstacle.y;
-    told.heading = obstacle.heading;
-    told.width = obstacle.width;
-    told.depth = obstacle.depth;
-    told.radius = obstacle.radius;
-    told.velocity_x = obstacle.velocity_x;
-    told.velocity_y = obstacle.velocity_y;
-    told.distance = obstacle.distance;
-    told.points = obstacle.points;
     message.obstacles.push_back(told);
   }
   return message;
@@ -186,27 +143,11 @@ slamicp_msgs::Status to_ros(const Status& status, const Stamp& stamp, const std:
   slamicp_msgs::Status message;
   message.header.stamp = to_ros(stamp);
   message.header.frame_id = frame;
+  fill_numbers(status, message);
   message.state = to_string(status.state);
   message.tracking = status.tracking;
   message.stop = status.stop;
-  message.usable = status.usable;
-  message.probability = status.probability;
-  message.awareness = status.awareness;
-  message.blind = status.blind;
-  message.blind_x = status.blind_x;
-  message.blind_y = status.blind_y;
   message.carried_by = status.carried_by;
-  message.points = status.points;
-  message.inliers = status.inliers;
-  message.outliers = status.outliers;
-  message.iterations = status.iterations;
-  message.localization_seconds = status.localization_seconds;
-  message.obstacle_seconds = status.obstacle_seconds;
-  message.waited = status.waited;
-  message.had_odometry = status.had_odometry;
-  message.scans = status.scans;
-  message.dropped = status.dropped;
-  message.recoveries = status.recoveries;
   return message;
 }
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace slamicp::dds_peer {
+
+inline void must(bool holds, const std::string& what) {
+  if (!holds) throw std::runtime_error(what);
+}
+
+/// Asks again and again, for a minute at most.
+template <class Ready>
+void wait_for(const Ready& ready, const std::string& what) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point until = Clock::now() + std::chrono::seconds(60);
+  while (!ready()) {
+    must(Clock::now() < until, "nobody says: " + what);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+}  // namespace slamicp::dds_peer
