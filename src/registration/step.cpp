@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/step.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/SVD>
+#include <cmath>
 
 #include "geometry/symmetric_eigen.hpp"
 
@@ -32,20 +34,32 @@ double turn_jacobian(const Point2& p, const Vector<2>& normal) noexcept {
 }
 Vector<3> turn_jacobian(const Point3& p, const Vector<3>& normal) noexcept { return p.cross(normal); }
 
-/// Three unknowns that are all held, for sure: the determinant over the square of the trace bounds the least eigenvalue
-/// from below. Returns false where that does not tell.
+/// Whether all unknowns are held, for sure: determinant and trace bound the least eigenvalue from below (the others'
+/// product is at most their mean's power).
+template <int n>
+bool holds_all(double determinant, double trace) noexcept {
+  constexpr double by_far = 10.0;
+  return determinant * std::pow((n - 1) / trace, n - 1) > by_far * blind_share * trace;
+}
+
+/// Solves where that is so; returns false where it is not, or is not known.
 bool solve_held(const Eigen::Matrix3d& scaled, const Eigen::Vector3d& right, Eigen::Vector3d& x) noexcept {
-  const double trace = scaled.trace();
   const Eigen::Vector3d a = scaled.col(0), b = scaled.col(1), c = scaled.col(2);
   const Eigen::Vector3d bc = b.cross(c);
   const double determinant = a.dot(bc);
-  if (!(4.0 * determinant > 10.0 * blind_share * trace * trace * trace)) return false;
+  if (!holds_all<3>(determinant, scaled.trace())) return false;
   x = Eigen::Vector3d(right.dot(bc), a.dot(right.cross(c)), a.dot(b.cross(right))) / determinant;  // Cramer
   return true;
 }
-template <typename Square, typename Column>
-bool solve_held(const Square&, const Column&, Column&) noexcept {
-  return false;
+template <int n>
+bool solve_held(const Eigen::Matrix<double, n, n>& scaled, const Eigen::Matrix<double, n, 1>& right,
+                Eigen::Matrix<double, n, 1>& x) noexcept {
+  const Eigen::LLT<Eigen::Matrix<double, n, n>> root(scaled);
+  if (root.info() != Eigen::Success) return false;
+  const double of_root = root.matrixLLT().diagonal().prod();
+  if (!holds_all<n>(of_root * of_root, scaled.trace())) return false;
+  x = root.solve(right);
+  return true;
 }
 
 /// Solves H x = g where H holds x, and leaves x at zero where it does not. `unit` [m] makes turns comparable to
