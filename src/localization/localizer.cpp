@@ -228,10 +228,14 @@ bool Localizer::State::recover(int budget) {
 /// What stands before the walls may pull a match away from them. One that ends where it was not to be expected, or
 /// whose pairs pull against each other, is tried again in a narrower gate, nearer to the prediction.
 void Localizer::State::look_nearer(bool by_odometry) {
-  constexpr double credible = 25.0;  // squared, in standard deviations
-  constexpr double gate = 0.1;       // [m]
+  constexpr double credible = 25.0;                        // squared, in standard deviations
+  constexpr double gate = 0.1;                             // [m]
+  constexpr double as_expected = 3e-3, usual_range = 3.0;  // [m]
   const Uncertainty& match = fix.match.uncertainty;
   if (!match.known || match.blind || (match.surprise < credible && !match.contradicts_itself())) return;
+  // One that ends where it was expected would end there again.
+  const PoseDistance off = distance(fix.match.pose, fix.predicted);
+  if (off.translation + usual_range * off.rotation < as_expected) return;
   PosePrior near_by = prior;
   near_by.first_gate = std::min(gate, options.max_correspondence_distance);
   const IcpResult2& near = icp.align(map->indexed(), fix.scan.in_robot, fix.predicted, options.outputs, near_by);
