@@ -183,6 +183,10 @@ Guid FastDds::Reader::speaker() const {
   return guid_of(status.last_publication_handle);
 }
 
+bool FastDds::Reader::wait(double seconds) const {
+  return static_cast<dds::DataReader*>(reader_)->wait_for_unread_message(eprosima::fastrtps::Duration_t(seconds));
+}
+
 bool FastDds::Reader::take(Bytes& message) const {
   dds::SampleInfo info;
   while (static_cast<dds::DataReader*>(reader_)->take_next_sample(&message, &info) ==

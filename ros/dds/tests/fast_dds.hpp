@@ -53,6 +53,8 @@ class FastDds::Reader {
  public:
   /// The next message; false: none has come.
   bool take(Bytes& message) const;
+  /// Until there is a message to take; false: none has come for so many seconds.
+  bool wait(double seconds) const;
   /// How many writers it hears; on a topic that we write, ourselves too.
   int speakers() const;
   /// The writer that came last.
