@@ -35,7 +35,9 @@ double surprise(const Uncertainty& match, const PosePrior& prior, const Pose2& p
 bool doubt_contradiction(double share, Uncertainty& match) noexcept {
   constexpr double most = 0.5;
   if (!(match.surprise > Uncertainty::credible) || (!match.contradicts_itself() && share > most)) return false;
-  const double trust = Uncertainty::credible / match.surprise;
+  // Squared: else each scan would pull the pose a little further, whole metres in the end.
+  const double excess = match.surprise / Uncertainty::credible;
+  const double trust = 1.0 / (excess * excess);
   match.information *= trust;
   match.covariance /= trust;
   match.systematic /= trust;

@@ -13,7 +13,7 @@ double first_gate(const IcpOptions& options, const PosePrior& prior) noexcept;
 double surprise(const Uncertainty& match, const PosePrior& prior, const Pose2& pose) noexcept;
 
 /// Pairs that contradict the prior and each other as well, or are but a part of the scan: they are the ones to doubt,
-/// by as much as they contradict.
+/// the more they contradict: their influence falls off with the cube of how far off they are.
 /// @param share  of the scan's points that have a pair
 /// @returns      true if the pairs were doubted
 bool doubt_contradiction(double share, Uncertainty& match) noexcept;
