@@ -13,7 +13,6 @@
 #include "registration/pass/outlier_pass-inl.hpp"
 #include "registration/pass/point_pass-inl.hpp"
 
-HWY_BEFORE_NAMESPACE();
 namespace slamicp::pass {
 namespace HWY_NAMESPACE {
 namespace {
@@ -23,4 +22,3 @@ constexpr Passes all_passes{to_columns, line_pass, point_pass, outlier_pass, mat
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace slamicp::pass
-HWY_AFTER_NAMESPACE();
