@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -20,6 +21,17 @@ void wait_for(const Ready& ready, const std::string& what) {
   while (!ready()) {
     must(Clock::now() < until, "nobody says: " + what);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+/// A program's result; 1 where it threw, with what on standard output.
+template <class Run>
+int tell_problems(const Run& run) {
+  try {
+    return run();
+  } catch (const std::exception& problem) {
+    std::printf("%s\n", problem.what());
+    return 1;
   }
 }
 

@@ -147,10 +147,5 @@ int run(int argc, char** argv) {
 }  // namespace slamicp::dds_peer
 
 int main(int argc, char** argv) {
-  try {
-    return slamicp::dds_peer::run(argc, argv);
-  } catch (const std::exception& problem) {
-    std::printf("%s\n", problem.what());
-    return 1;
-  }
+  return slamicp::dds_peer::tell_problems([&] { return slamicp::dds_peer::run(argc, argv); });
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulated.hpp"
 
-#include <numbers>
 #include <slamicp_node/marker.hpp>
 
 #include <slamicp/map/occupancy_grid.hpp>
@@ -17,17 +16,7 @@ using node::Stamp;
 SimulatedRun drive() {
   World world = room();
   world.pillars.push_back({{6.0, 2.5}, 0.2});
-  DriveOptions options;
-  options.speed = 0.5;
-  options.lidar.beams = 541;
-  options.lidar.angle_increment = 270.0 / 540.0 * std::numbers::pi / 180.0;
-  options.lidar.angle_min = -135.0 * std::numbers::pi / 180.0;
-  options.lidar.rate = 10.0;
-  options.lidar.sweep_time = 0.025;
-  const std::vector<Point2> way{{2.0, 3.0}, {5.0, 4.0}, {9.5, 4.0}, {10.5, 2.5}};
-  SimulatedRun run = simulate_drive(world, way, options);
-  for (LaserScan& scan : run.scans) scan.stamp += 1000.0;
-  return run;
+  return node::drive_through(world, 0.025);
 }
 
 PointCloud2 wall_samples() {

@@ -4,7 +4,6 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
-#include <numbers>
 #include <slamicp_node/node.hpp>
 
 #include <slamicp/geometry/planar.hpp>
@@ -27,8 +26,6 @@ using node::Output;
 using node::room;
 using node::Stamp;
 using node::State;
-
-constexpr double start_time = 1000.0;
 
 /// Its walls lie in the middle of their cells.
 node::Grid grid_of(const World& world) {
@@ -54,19 +51,7 @@ node::Transform transform(double stamp, const std::string& frame, const std::str
 }
 
 const SimulatedRun& drive() {
-  static const SimulatedRun run = [] {
-    DriveOptions options;
-    options.speed = 0.5;
-    options.lidar.beams = 541;
-    options.lidar.angle_increment = 270.0 / 540.0 * std::numbers::pi / 180.0;
-    options.lidar.angle_min = -135.0 * std::numbers::pi / 180.0;
-    options.lidar.rate = 10.0;
-    const std::vector<Point2> way{{2.0, 3.0}, {5.0, 4.0}, {9.5, 4.0}, {10.5, 2.5}};
-    SimulatedRun made = simulate_drive(room(), way, options);
-    for (LaserScan& scan : made.scans) scan.stamp += start_time;
-    for (StampedPose& pose : made.truth) pose.stamp += start_time;
-    return made;
-  }();
+  static const SimulatedRun run = node::drive_through(room(), DriveOptions().lidar.sweep_time);
   return run;
 }
 
